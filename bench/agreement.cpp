@@ -8,7 +8,7 @@ namespace robcogen::bench {
 
 namespace {
 
-// "a, b, c"; the column of a matrix.
+// A column of a matrix as "a, b, c".
 std::string printed(const Eigen::MatrixXd& m, Eigen::Index column) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -17,7 +17,7 @@ std::string printed(const Eigen::MatrixXd& m, Eigen::Index column) {
   return text.str();
 }
 
-// The relative difference, infinite when the two cannot be compared, and a message about it.
+// The relative difference, which is infinite if the two cannot be compared, and a message about it.
 struct Difference {
   double relative = 0;
   std::string text;

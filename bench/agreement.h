@@ -9,8 +9,8 @@
 
 namespace robcogen::bench {
 
-// Norm of the difference relative to that of the generated code's result (largest elements): the effect of rounding,
-// with room for forward dynamics of light links on heavy ones. An error of the model is millions of times larger.
+// Largest element of the difference, relative to that of the generated code's result: the effect of rounding, with a
+// margin for forward dynamics of light links on heavy ones. An error of the model is millions of times larger.
 constexpr double kAgreement = 1e-9;
 
 // One quantity as the generated code computes it.
@@ -24,7 +24,7 @@ struct Computed {
 const char* name(peers::Quantity quantity);
 
 // A message for each quantity in which the peer disagrees with the generated code by more than `agreement`, with the
-// worst of the first `states` states; the peer was prepared with them. A result that is not finite, or of another
+// worst of the first `states` states, with which the peer was prepared. A result that is not finite, or has another
 // shape, disagrees.
 std::vector<std::string> disagreements(
     peers::Peer& peer,

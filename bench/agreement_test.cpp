@@ -30,7 +30,7 @@ Eigen::MatrixXd truth(std::size_t state) {
   return m;
 }
 
-// The peer's matrix is the truth, but for one element at state 2.
+// The peer's matrix is the truth, except for one element at state 2.
 std::vector<std::string> messages(double error) {
   Scripted peer([error](std::size_t state) {
     Eigen::MatrixXd m = truth(state);

@@ -1,5 +1,5 @@
 // The benchmarks of functions over many states, structure of arrays: `<function>/batch`, on the best of the processor's
-// levels, and `<function>/batch/threads/<count>`, where each thread has a range of the states. Times are of one state.
+// levels, and `<function>/batch/threads/<count>`, where each thread has a range of the states. Times are per state.
 //
 // Needs ROBCOGEN_BATCH_HEADER and the definitions of robot_bench.cpp.
 #pragma once
@@ -30,8 +30,8 @@ namespace robcogen::bench {
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
 namespace calls = robcogen_batch_calls;
 
-// So many elements of each state, element by element: columns that begin with a line of the cache. The stride, eight
-// states more than a multiple of 16, is an odd number of lines, so that columns do not compete for few places in it.
+// An array of states, element by element: each column begins with a cache line. The stride, eight states more than a
+// multiple of 16, is an odd number of lines, so that columns do not compete for the same cache sets.
 class Columns {
  public:
   explicit Columns(int elements, std::size_t states = kStates)
@@ -70,8 +70,8 @@ class Columns {
   double* data_;
 };
 
-// The arguments of all functions, and room for their results: of matrices, which are large, as many states as 256 KB
-// hold. Those of all states would be far from the processor.
+// The arguments of all functions, and memory for their results. Matrices are large, so there are only as many states of
+// them as 256 KB hold; those of all states would exceed the near caches.
 template <class R>
 struct Arrays {
   static constexpr int kMatrixElements = R::InertiaMatrix::SizeAtCompileTime;
@@ -94,7 +94,7 @@ struct Arrays {
   Columns joint_result{R::kDof}, base_result{6}, matrix{kMatrixElements, kMatrices};
 };
 
-// function(arguments…), after the robot's parameters where it has some.
+// Calls function(arguments…), with the robot's parameters first if it has some.
 template <class R, class Function, class... Arguments>
 void call(Function function, [[maybe_unused]] const R& robot, const Arguments&... arguments) {
   if constexpr (reference::kIsParametric<R>) {
@@ -104,7 +104,7 @@ void call(Function function, [[maybe_unused]] const R& robot, const Arguments&..
   }
 }
 
-// Each computes `count` states from `begin` on.
+// Each function computes `count` states from `begin` on.
 template <class R>
 void inverse_dynamics_of(Arrays<R>& a, std::size_t begin, std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
@@ -144,7 +144,7 @@ void joint_space_inertia_of(Arrays<R>& a, std::size_t begin, std::size_t count) 
 template <class R>
 using Compute = void (*)(Arrays<R>& arrays, std::size_t begin, std::size_t count);
 
-// run() computes all states.
+// Adds the benchmark of run(), which computes all states.
 template <class Run>
 void add_batch(const std::string& name, Run run) {
   benchmark::RegisterBenchmark((name + "/batch").c_str(), [run](benchmark::State& state) {
@@ -161,7 +161,7 @@ void add_batch(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name
   add_batch(name, [arrays, compute] { compute(*arrays, 0, kStates); });
 }
 
-// A function of positions alone, of the library's table.
+// Adds the benchmark of a function of positions only, from the library's table.
 template <class R>
 void add_batch_of_positions(
     const std::shared_ptr<const Arrays<R>>& arrays,
@@ -176,7 +176,7 @@ void add_batch_of_positions(
   }
 }
 
-// Each thread computes its range over and over, so that starting it does not count.
+// Each thread computes its range repeatedly, so that the time to start it does not count.
 template <class R>
 void add_threads(const std::shared_ptr<Arrays<R>>& arrays, const std::string& name, Compute<R> compute) {
   constexpr std::size_t kRepetitions = 1000;

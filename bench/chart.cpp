@@ -16,7 +16,7 @@ namespace {
 constexpr double kWidth = 860, kLeft = 74, kRight = 24, kPanelHeight = 230, kPanelGap = 44, kLegendTop = 24;
 constexpr double kLegendLine = 24, kNamesHeight = 120, kTick = 5, kMarker = 5, kNameDistance = 21;
 
-// Of medium lightness: contrast at least 3 to white and to black, text 4.3.
+// Colours of medium lightness: the contrast to white and to black is at least 3, that of text 4.3.
 constexpr const char* kText = "#797979";
 constexpr std::array<const char*, 8> kColours = {"#e8590c", "#2f7fd8", "#2b9348", "#a259d9",
                                                  "#a87b00", "#d6409f", "#0f8f8f", "#7d7d00"};
@@ -90,14 +90,14 @@ double y_of(const Axes& a, double top, double nanoseconds) {
   return top + kPanelHeight * (1 - log_position(nanoseconds, a.low, a.high));
 }
 
-// A closed shape of a radius of kMarker about a point: a circle, or a polygon or star of so many corners.
+// A closed shape with radius kMarker about a point: a circle, a polygon or a star, depending on the series.
 std::string marker(std::size_t series, double x, double y, bool hollow, std::string_view content) {
   const char* colour = kColours[series % kColours.size()];
   const std::string style =
       fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\" class=\"marker\"", hollow ? "none" : colour, colour);
   struct Shape {
     int corners;
-    double turn;   // of the first corner from the top, in parts of the circle
+    double turn;   // of the first corner from the top, as a fraction of the circle
     double inner;  // of a star: radius between the corners
     double size;   // so that all shapes look equally large
   };
@@ -146,7 +146,7 @@ std::string duration(double nanoseconds) {
   return fmt::format("{:g} ms", nanoseconds / 1e6);
 }
 
-// Libraries in as many lines as they need; sets `bottom` to where the legend ends.
+// The names of the libraries in as many lines as they need; sets `bottom` to where the legend ends.
 std::string legend(const Axes& a, double& bottom) {
   // Generous, because the font is unknown.
   const auto width = [](const std::string& name) { return 40 + 8.0 * static_cast<double>(name.size()); };
@@ -232,7 +232,7 @@ std::string panel(const Axes& a, const ChartPanel& content, double top) {
   drawing += text(
       16, middle, "middle", "time of a call (logarithmic)",
       fmt::format(" transform=\"rotate(-90 16 {:.2f})\"", middle));
-  // The first above all others.
+  // The first series is drawn last, above all others.
   for (auto series = content.series.rbegin(); series != content.series.rend(); ++series) {
     drawing += curve(a, top, *series);
   }

@@ -1,4 +1,4 @@
-// Time of a call against degrees of freedom, as a drawing.
+// A drawing of the time of a call against degrees of freedom.
 #pragma once
 
 #include <string>
@@ -25,9 +25,9 @@ struct ChartPanel {
   std::vector<ChartSeries> series;
 };
 
-// An SVG of the panels one below the other, on common axes: degrees of freedom, and time on a logarithmic scale. A
+// An SVG of the panels, one below the other, with common axes: degrees of freedom, and time on a logarithmic scale. A
 // series has the same colour and marker in all panels, hollow for floating bases; a point's title names it. The
-// ground is transparent, and all colours are visible on white and on black.
+// background is transparent, and all colours are visible on white and on black.
 std::string svg(const std::vector<ChartPanel>& panels);
 
 // The position of a value on a logarithmic scale: 0 at `low`, 1 at `high`. All are positive.

@@ -38,7 +38,7 @@ std::string name(const std::string& tag) {
   return tag.substr(0, tag.find(' '));
 }
 
-// The value of an attribute; empty when there is none.
+// The value of an attribute; empty if there is none.
 std::string attribute(const std::string& tag, const std::string& key) {
   const std::string start = " " + key + "=\"";
   const std::size_t at = tag.find(start);
@@ -47,7 +47,7 @@ std::string attribute(const std::string& tag, const std::string& key) {
   return tag.substr(begin, tag.find('"', begin) - begin);
 }
 
-// Whether all after a tag's name is ` key="value"` again and again.
+// Whether the text after a tag's name consists of ` key="value"` only.
 bool has_good_attributes(const std::string& tag) {
   std::size_t at = name(tag).size();
   while (at < tag.size()) {
@@ -61,8 +61,8 @@ bool has_good_attributes(const std::string& tag) {
   return true;
 }
 
-// Faults of tags, attributes or text; empty for well-formed XML of the simple kind that is written here:
-// elements, attributes in double quotes, entities, no > but that of tags.
+// The first fault of tags, attributes or text; empty for well-formed XML of the simple kind that is written here:
+// elements, attributes in double quotes, entities, and no > except those of tags.
 std::string fault(const std::string& xml) {
   if (count(xml, "<") != count(xml, ">")) return "a < or > of its own";
   std::size_t entities = 0;
@@ -86,7 +86,8 @@ std::string fault(const std::string& xml) {
   return roots == 1 && xml.front() == '<' && xml.substr(xml.size() - 2) == ">\n" ? "" : "more than one element";
 }
 
-// Numbers of an attribute of all circles, the markers of the first series, in the order of the drawing.
+// The numeric values of an attribute of all circles, which are the markers of the first series, in the order of the
+// drawing.
 std::vector<double> circles(const std::string& xml, const std::string& key) {
   std::vector<double> values;
   for (const std::string& tag : tags(xml)) {
@@ -129,7 +130,7 @@ TEST(Chart, HasEverySeriesAndPoint) {
        {"RobCoGen, Leg: 10 ns", "RobCoGen, Arm: 100 ns", "RobCoGen, Dog: 1000 ns", "C, Dog: 9000 ns"}) {
     EXPECT_EQ(count(drawing, point), 2) << point << ", one a panel";
   }
-  EXPECT_EQ(count(drawing, "class=\"marker\""), 2 * 5 + 2);  // the legend's are two
+  EXPECT_EQ(count(drawing, "class=\"marker\""), 2 * 5 + 2);  // two in the legend
   EXPECT_EQ(count(drawing, "<polyline"), 2 * 2);
   for (const char* label : {">inverse dynamics<", ">forward dynamics<", ">Leg, 2<", ">10 ns<", ">10 µs<"}) {
     EXPECT_GT(count(drawing, label), 0) << label;
@@ -139,7 +140,7 @@ TEST(Chart, HasEverySeriesAndPoint) {
 TEST(Chart, PlacesAreLinearInFreedomAndLogarithmicInTime) {
   const std::string drawing = svg(example());
   const std::vector<double> x = circles(drawing, "cx"), y = circles(drawing, "cy");
-  ASSERT_EQ(x.size(), 7);  // one in the legend, three a panel
+  ASSERT_EQ(x.size(), 7);  // one in the legend, three per panel
   for (const std::size_t first : {std::size_t{1}, std::size_t{4}}) {
     EXPECT_NEAR(x[first + 1] - x[first], x[first + 2] - x[first + 1], kPixels);
     EXPECT_GT(x[first + 1], x[first]);

@@ -1,4 +1,4 @@
-// Cycles of the processor as a unit of time, for the frequency that it has while the functions are measured.
+// Cycles of the processor as a unit of time, to find its frequency while the functions are measured.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -7,13 +7,13 @@
 
 namespace robcogen::bench {
 
-// Adds `clock/1024`: so many additions of registers, each of which waits for the one before. Present processors take
-// one cycle for each.
+// Adds the benchmark `clock/1024`: 1024 additions of registers, each of which waits for the previous one. Current
+// processors take one cycle for each.
 inline void add_clock() {
 #ifdef __GNUC__
   benchmark::RegisterBenchmark("clock/1024", [](benchmark::State& state) {
     std::uint64_t sum = 0, term = static_cast<std::uint64_t>(state.max_iterations);
-    // Keeps the compiler from adding faster than that.
+    // The asm statement keeps the compiler from combining additions.
     const auto add = [&] {
       sum += term;
       asm volatile("" : "+r"(sum), "+r"(term));

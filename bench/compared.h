@@ -1,5 +1,5 @@
-// The quantities of one robot that other libraries compute too, by the generated code in their conventions
-// (peers/peer.h).
+// The quantities of one robot that other libraries compute too, computed by the generated code in the conventions of
+// peers/peer.h.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ inline peers::Subject subject(const Robot& robot, const std::string& urdf) {
   return result;
 }
 
-// The result of a function as a column or a matrix, the base first.
+// The result of a function as a column or a matrix, with the base first.
 template <class Derived>
 Eigen::MatrixXd flat(const Eigen::MatrixBase<Derived>& value) {
   return value;
@@ -52,7 +52,7 @@ Eigen::MatrixXd flat(const GeneralizedAcceleration<double, kDof>& value) {
   return stacked(value.base_acceleration.vector(), value.qdd);
 }
 
-// With a column for each joint: zero for those that are not of the chain.
+// A Jacobian with one column for each joint: zero for joints outside the chain.
 template <class R>
 Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const State<R>& s) {
   Eigen::MatrixXd narrow(6, jacobian.column_count);
@@ -62,7 +62,7 @@ Eigen::MatrixXd full_jacobian(const reflection::Jacobian& jacobian, const State<
   return J;
 }
 
-// Those quantities that the library has. The states outlive the result.
+// The quantities that the library has. The states must outlive the result.
 template <class R>
 std::vector<Computed> computed(const Robot& robot, const std::vector<State<R>>& states) {
   std::vector<Computed> all;

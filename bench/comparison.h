@@ -1,4 +1,4 @@
-// The generated code's times set against those of other libraries.
+// The generated code's times compared with those of other libraries.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robcogen::bench {
 
-// How many times as long a call of the peer takes.
+// The time of a peer's call, and its ratio to that of the generated code.
 struct Ratio {
   std::string peer;
   Time time;
@@ -19,15 +19,16 @@ struct Ratio {
 // One quantity of one robot.
 struct Comparison {
   std::string quantity;
-  std::string function;  // that is compared
-  Time time;             // its own
+  std::string function;  // generated function that is compared
+  Time time;             // of this function
   std::vector<Ratio> peers;
 };
 
-// Of the quantities that the generated library has, in the order of kQuantities; peers in their order.
+// One comparison for each quantity that the generated library has, in the order of kQuantities; peers in the order of
+// the results.
 std::vector<Comparison> comparisons(const Results& results);
 
-// Over the robots for which the peer has the quantity.
+// A mean over the robots for which the peer has the quantity.
 struct Mean {
   std::string peer;
   std::string quantity;
@@ -35,16 +36,16 @@ struct Mean {
   int robots = 0;
 };
 
-// Of all robots; each robot's order is kept.
+// The peers of all robots; the order of each robot is kept.
 std::vector<std::string> all_peers(const std::vector<Results>& robots);
 
-// For each existing peer and quantity; peers in the order of all_peers, then in that of kQuantities.
+// One mean for each existing peer and quantity, in the order of all_peers, then of kQuantities.
 std::vector<Mean> geometric_means(const std::vector<Results>& robots);
 
 // Inverse dynamics, forward dynamics and inertia matrix of the generated code and of all peers.
 std::vector<ChartPanel> chart_panels(const std::vector<Results>& robots);
 
-// "inverse dynamics", of an element of kQuantities.
+// The title of an element of kQuantities, such as "inverse dynamics".
 std::string title(const std::string& quantity);
 
 int degrees_of_freedom(const Results& results);

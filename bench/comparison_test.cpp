@@ -82,7 +82,7 @@ TEST(Comparison, ChartCountsTheFloatingBase) {
   EXPECT_EQ(panels[0].series[2].points[1].nanoseconds, 640);
 }
 
-// The function that calls the kernel of the processor is small; the other copies are those of one unit.
+// The function that calls the kernel for the processor is small; the other copies are those of one unit.
 TEST(KernelSizes, AreThoseOfTheKernelNotOfItsCaller) {
   const std::string listing =
       "0 10 t void robcogen_level::(anonymous namespace)::leg::kernel::core::f<double>(double const*)\n"

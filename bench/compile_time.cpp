@@ -17,7 +17,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// Of all processes that ended under this one, s.
+// Processor time (s) of all child processes that have ended.
 double time_of_children() {
   rusage usage = {};
   getrusage(RUSAGE_CHILDREN, &usage);
@@ -34,7 +34,7 @@ std::vector<Compilation> compilations(const std::string& json, const std::string
   const std::string folder = "CMakeFiles/" + target + ".dir/";
   for (const nlohmann::json& entry : nlohmann::json::parse(json)) {
     const std::string command = entry.at("command").get<std::string>();
-    // As CMake writes it: compiler, flags, `-o` object `-c` source.
+    // CMake writes: compiler, flags, `-o` object `-c` source.
     const std::size_t begin = command.find(" -o "), end = command.find(" -c ", begin);
     if (begin == std::string::npos || end == std::string::npos) continue;
     const std::string object = command.substr(begin + 4, end - begin - 4);

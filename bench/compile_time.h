@@ -1,4 +1,4 @@
-// How long the compiler takes for a robot's library.
+// The time that the compiler takes for a robot's library.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ struct Compilation {
   std::string object;  // as the command names it
 };
 
-// Those of a target, of the compile_commands.json that CMake writes, but for functions over many states, in folders
-// `batch`, which no robot has unless it asks for them. Throws nlohmann::json::exception when the text is something
-// else.
+// The compilations of a target in the compile_commands.json that CMake writes, without functions over many states,
+// which are in folders `batch` and which a robot has only on request. Throws nlohmann::json::exception if the text is
+// something else.
 std::vector<Compilation> compilations(const std::string& json, const std::string& target);
 
-// Seconds of processor time of all of them, one after the other, past any cache of compilers; the objects go to
-// `scratch` and are removed. nullopt when there are none, or one failed.
+// Processor time (s) of all of them, one after the other, without compiler caches; the objects go to `scratch` and are
+// removed. nullopt if there are none, or one failed.
 std::optional<double> compile_time(const std::vector<Compilation>& compilations, const std::string& scratch);
 
 }  // namespace robcogen::bench

@@ -3,9 +3,9 @@
 //     contacts <URDF>
 //
 // In MuJoCo the feet are tied to the world by equality constraints, which are soft: constraint forces obey
-// (J M^-1 J' + R) f = reference acceleration - J M^-1 (forces - bias). R is the compliance of the generated function
-// and the reference acceleration, but for what velocities add, its contact acceleration: both are taken over, so that
-// the two agree to rounding. Exit status 1: they do not.
+// (J M^-1 J' + R) f = reference acceleration - J M^-1 (forces - bias). R is the compliance of the generated function,
+// and the reference acceleration is its contact acceleration, except for velocity terms. Both are taken from MuJoCo, so
+// that the results agree to rounding. Exit status 1: they do not.
 #include "contacts.h"
 
 #include <mujoco/mujoco.h>
@@ -34,7 +34,7 @@ ModelPtr load(const std::string& path) {
   return model;
 }
 
-// MuJoCo reads the URDF, and its own text of it gets the feet.
+// Loads the URDF in MuJoCo, and adds the feet to the text that MuJoCo writes of it.
 ModelPtr model_with_feet(const std::string& urdf, const std::string& scratch) {
   {
     const ModelPtr model = load(urdf);
@@ -69,7 +69,7 @@ class Comparison {
     order_.emplace(*match.order);
   }
 
-  // A state with the feet where they are tied, and what the constraints of MuJoCo ask for there.
+  // A state in which the feet are where they are tied, with the accelerations and compliances of MuJoCo's constraints.
   Call call(std::mt19937_64& engine) {
     Call c = random_call(engine);
     set(c);
@@ -83,7 +83,7 @@ class Comparison {
       model_->eq_active[k] = active_[k] != 0;
     }
     mj_forward(model_.get(), data_.get());
-    // What velocities add: MuJoCo leaves it out, with the acceleration of the base's origin instead of the spatial one.
+    // The velocity terms, which MuJoCo leaves out; its base acceleration is that of the origin, not the spatial one.
     const Rows bias = quadruped::contact_bias(c.state.q, c.state.qd, c.state.base_velocity);
     const Twist& velocity = c.state.base_velocity;
     const Eigen::Vector3d excess = velocity.angular().cross(velocity.linear());
@@ -112,7 +112,7 @@ class Comparison {
     mj_forward(model_.get(), data_.get());
   }
 
-  // Of the accelerations, relative to the largest.
+  // The difference of the accelerations, relative to the largest.
   double difference(const Call& c) {
     const auto ours = run_generated(c, active_);
     run_theirs(c);
@@ -124,7 +124,7 @@ class Comparison {
     return (theirs - expected).cwiseAbs().maxCoeff() / (1 + expected.cwiseAbs().maxCoeff());
   }
 
-  // With the tolerance that MuJoCo has by default.
+  // Times are measured with MuJoCo's default tolerance.
   void prepare_timing() {
     model_->opt.tolerance = 1e-8;
     model_->opt.iterations = 100;

@@ -51,11 +51,11 @@ inline quadruped::ConstrainedForwardDynamics run_generated(const Call& c, const 
       gravity_in_base(c.state));
 }
 
-// The least of some averages over the states (ns).
+// The least of several averages over the states (ns).
 template <class Run>
 double time_of(const std::vector<Call>& calls, const Run& run) {
   using Clock = std::chrono::steady_clock;
-  constexpr int kRounds = 300, kTimes = 2;  // short ones, which other programs seldom interrupt
+  constexpr int kRounds = 300, kTimes = 2;  // short rounds, which other programs seldom interrupt
   double least = HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {
     const auto before = Clock::now();
@@ -67,7 +67,7 @@ double time_of(const std::vector<Call>& calls, const Run& run) {
   return least;
 }
 
-// On these feet: whether a peer gives the same accelerations; then, on four feet, the time of a call of either.
+// Whether a peer computes the same accelerations on these feet. On four feet, also prints the time of a call of both.
 template <class Comparison>
 bool compare_on(const Active& active, const std::string& urdf, const char* peer, std::mt19937_64& engine) {
   Comparison comparison(urdf, active);
@@ -88,7 +88,7 @@ bool compare_on(const Active& active, const std::string& urdf, const char* peer,
   return true;
 }
 
-// The main function of a program that compares with a peer, on some of the feet each time. Returns its exit status.
+// The main function of a program that compares with a peer, on each of these sets of feet. Returns its exit status.
 template <class Comparison>
 int compare(const std::string& program, const char* peer, const std::vector<Active>& feet, int argc, char** argv) {
   const auto fail = [&](const char* message) { std::fprintf(stderr, "%s: %s\n", program.c_str(), message); };

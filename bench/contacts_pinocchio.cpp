@@ -26,7 +26,7 @@ class Comparison {
   Comparison(const std::string& urdf, const Active& active) : active_(active) {
     pinocchio::urdf::buildModel(urdf, model_);
     data_ = pinocchio::Data(model_);
-    std::vector<const char*> names;  // behind the universe and the floating joint
+    std::vector<const char*> names;  // after the universe and the floating joint
     for (std::size_t j = 2; j < model_.names.size(); ++j) names.push_back(model_.names[j].c_str());
     const auto match = match_joints(quadruped::kJointNames, names);
     if (!match.order) throw std::runtime_error(std::string(match.name));
@@ -53,7 +53,7 @@ class Comparison {
     Eigen::Matrix<double, 7 + kDof, 1> plain;
     to_pinocchio(c.state, *order_, plain.data(), v_.data());
     q_.head<7>() = plain.head<7>();
-    // Of a joint without limits, cosine and sine.
+    // The position of a joint without limits is its cosine and sine.
     for (std::size_t j = 2; j < model_.joints.size(); ++j) {
       const pinocchio::JointModel& joint = model_.joints[j];
       const double angle = plain[7 + static_cast<int>(j) - 2];
@@ -66,7 +66,7 @@ class Comparison {
     pinocchio::constraintDynamics(model_, data_, q_, v_, tau_, contacts_, contact_data_, settings_);
   }
 
-  // Of the accelerations, relative to the largest.
+  // The difference of the accelerations, relative to the largest.
   double difference(const Call& c) {
     const auto ours = run_generated(c, active_);
     run_theirs(c);

@@ -3,10 +3,10 @@
 //     count_operations check  <file> <generator> <groups> <further groups> <robot>=<document>[@<contacts>] …
 //     count_operations update <file> <generator> <groups> <further groups> <robot>=<document>[@<contacts>] …
 //
-// `check` counts the functions of these robots anew and compares with the file: exit status 1, and a line for each,
-// when one rose or is gone; 77 when none did but some fell or are new. `update` writes the file. `groups` are the
-// groups of functions, separated by commas; further groups are counted for the robots that have them, and functions of
-// contacts for those with contact frames. Exit status 2: usage, input or output.
+// `check` counts the functions of these robots again and compares with the file. Exit status 1, with a line for each
+// change: numbers rose, or functions are gone; 77: none of this, but numbers fell or functions are new. `update` writes
+// the file. `groups` are the groups of functions, separated by commas; further groups are counted for the robots that
+// have them, and functions of contacts for those with contact frames. Exit status 2: usage, input or output.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,8 +79,8 @@ Counts count(const Arguments& arguments) {
     if (!output) throw std::runtime_error(command_of(arguments.groups) + " failed");
     std::vector<Counted>& functions = counts[robot];
     functions = read_operations(*output);
-    // Messages about groups that this robot lacks are not shown. What all groups have, such as the update of
-    // parameters, is that of the first ones.
+    // Messages about groups that this robot lacks are not shown. Functions that are in all outputs, such as the update
+    // of parameters, are taken from the first one.
     const auto add = [&](const std::string& command) {
       if (const auto further = output_of(command + " 2>/dev/null"))
         for (Counted& counted : read_operations(*further))

@@ -1,5 +1,5 @@
-// The operation counts of all robots: one file that is committed, and how the generator's present counts differ from
-// it.
+// The operation counts of all robots: a file under version control, and the differences of the generator's current
+// counts from it.
 #pragma once
 
 #include <map>
@@ -15,18 +15,18 @@ extern const std::vector<std::string> kCounted;
 // A function and its numbers.
 using Counted = std::pair<std::string, std::vector<long>>;
 
-// By robot, functions in the order in which the generator lists them.
+// The functions of each robot, in the order in which the generator lists them.
 using Counts = std::map<std::string, std::vector<Counted>>;
 
-// From the output of `robcogen ops --json`. Throws nlohmann::json::exception when the text is something else.
+// Reads the output of `robcogen ops --json`. Throws nlohmann::json::exception if the text is something else.
 std::vector<Counted> read_operations(const std::string& json);
 
-// The text of a file of counts, a line for each function, and back. Reading throws nlohmann::json::exception, or
-// std::runtime_error for numbers of other things than kCounted.
+// Write and read the text of a file of counts, which has a line for each function. Reading throws
+// nlohmann::json::exception, or std::runtime_error for numbers of other things than kCounted.
 std::string counts_text(const Counts& counts);
 Counts read_counts(const std::string& text);
 
-// A line each: `Leg, inverse_dynamics: mul 30 -> 33`.
+// One line for each change: `Leg, inverse_dynamics: mul 30 -> 33`.
 struct Changes {
   std::vector<std::string> worse;  // numbers that rose, functions that are gone
   std::vector<std::string> other;  // numbers that fell, functions that are new

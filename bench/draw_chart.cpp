@@ -2,8 +2,8 @@
 //
 //     draw_chart PAGE.md CHART.svg
 //
-// The chart has the panels of inverse and forward dynamics. Exit status: 0 ok, 1 the page cannot be read, 2 usage or
-// output.
+// The chart has the panels of inverse and forward dynamics. Exit status: 0 success, 1 the page cannot be read, 2 usage
+// or output.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

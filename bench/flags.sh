@@ -1,7 +1,7 @@
-# Flags of the compiler for generated code, as the CMake functions have them; read by other scripts.
+# Compiler flags for generated code, as in the CMake functions; other scripts read this file.
 # shellcheck shell=bash
 
-# The contents of the CMake command that this expression finds in a file of cmake/.
+# The arguments of the CMake command that this expression finds in a file of cmake/.
 flags_in() { # file expression
   local flags
   flags=$(sed -n "s/$2/\\1/p" "$(dirname "${BASH_SOURCE[0]}")/../cmake/$1")
@@ -12,12 +12,12 @@ flags_in() { # file expression
   echo "$flags"
 }
 
-# Of gcc, except the level of optimisation.
+# Flags for gcc, except the optimisation level.
 flags_of_gcc() {
   flags_in Robcogen.cmake '^ *set(of_gcc \(.*\))$'
 }
 
-# Those with which gcc orders the kernels of the highest level.
+# Flags with which gcc schedules the kernels of the highest level.
 flags_of_order() {
   flags_in RobcogenProcessors.cmake '^.* COMPILE_OPTIONS \(-fschedule-insns .*\))$'
 }

@@ -1,7 +1,7 @@
 // The benchmarks of one generated library. Each calls a function through its public wrapper, for each state in turn;
 // its label is the name of the kernel beneath, its counters are that kernel's operation counts.
 //
-// The context entry `compared/<quantity>` names the benchmark that is set against those of other libraries.
+// The context entry `compared/<quantity>` names the benchmark that is compared with those of other libraries.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -20,7 +20,7 @@ inline void add_counts(benchmark::State& state, const Robot& robot, const std::s
   state.SetLabel(kernel);
   for (const reflection::Function& f : robot.functions) {
     if (kernel != f.name) continue;
-    // Zeros are left out: the library reports their coefficient of variation, 0 / 0, which is not valid JSON.
+    // Zeros are left out, because the library would report their coefficient of variation, 0 / 0, as invalid JSON.
     const auto add = [&](const char* name, int count) {
       if (count != 0) state.counters[name] = count;
     };
@@ -34,7 +34,7 @@ inline void add_counts(benchmark::State& state, const Robot& robot, const std::s
   }
 }
 
-// Times call(state) over all states in turn. Robot and states outlive the benchmarks.
+// Times call(state) over all states in turn. Robot and states must outlive the benchmarks.
 template <class R, class Call>
 void add(
     const Robot& robot,
@@ -67,7 +67,7 @@ auto trigonometry_of(const std::vector<State<R>>& states) {
   return all;
 }
 
-// Times call(state, q), and the same with sines and cosines known in the place of q: `<name>/given_trig`.
+// Times call(state, q), and, as `<name>/given_trig`, the same call with known sines and cosines in place of q.
 template <class R, class Call>
 void add_with_trigonometry(
     const Robot& robot,
@@ -83,8 +83,8 @@ void add_with_trigonometry(
       });
 }
 
-// The computation that is compared with other libraries: for a floating base, the acceleration of the base is given.
-// `q` may be joint positions with sines and cosines.
+// Inverse dynamics as compared with other libraries: for a floating base, the acceleration of the base is given. `q`
+// may be joint positions with sines and cosines.
 template <class R, class Positions>
 auto inverse_dynamics(const State<R>& s, const Positions& q) {
   if constexpr (R::kFloatingBase) {
@@ -177,7 +177,7 @@ void add_bias_forces(const Robot& robot, const std::vector<State<R>>& states) {
   });
 }
 
-// Joints between two links: those that support one of them and not the other.
+// Number of joints between two links: joints that support one of them and not the other.
 inline int chain_length(const Robot& robot, int a, int b) {
   std::vector<int> left = reference::supporting_joints(robot, a);
   std::vector<int> right = reference::supporting_joints(robot, b);
@@ -188,7 +188,7 @@ inline int chain_length(const Robot& robot, int a, int b) {
   return static_cast<int>(left.size() + right.size());
 }
 
-// The first of those with the longest chain; null when there is none.
+// The first of the transforms with the longest chain; null if there is none.
 inline const reflection::Transform* longest_transform(const Robot& robot) {
   const reflection::Transform* longest = nullptr;
   int length = -1;
@@ -202,7 +202,7 @@ inline const reflection::Transform* longest_transform(const Robot& robot) {
   return longest;
 }
 
-// The first of those with most columns; null when there is none.
+// The first of the Jacobians with the most columns; null if there is none.
 inline const reflection::Jacobian* widest_jacobian(const Robot& robot) {
   const reflection::Jacobian* widest = nullptr;
   for (const reflection::Jacobian& j : robot.jacobians) {
@@ -211,7 +211,7 @@ inline const reflection::Jacobian* widest_jacobian(const Robot& robot) {
   return widest;
 }
 
-// The link of the robot's URDF whose origin is the frame's; empty when there may be none.
+// The link of the robot's URDF with the same origin as the frame; empty if there may be none.
 inline std::string urdf_link(const Robot& robot, int frame) {
   const std::string name = robot.frames[frame].name;
   const auto is = [&](const std::string& other) { return name == other; };
@@ -220,7 +220,7 @@ inline std::string urdf_link(const Robot& robot, int frame) {
   }
   for (const reflection::Link& link : robot.links) {
     if (!is(std::string("fr_") + link.name)) continue;
-    // A user frame of the link's own name takes the link's place in the URDF.
+    // A user frame with the link's own name replaces the link in the URDF.
     for (const reflection::Frame& other : robot.frames) {
       if (std::string(other.name) == link.name) return "";
     }
@@ -235,7 +235,7 @@ inline bool is_base(const reflection::Frame& frame) {
          std::all_of(frame.rotation, frame.rotation + 3, zero);
 }
 
-// The widest of those that other libraries compute too: from the base to a link of the URDF. Null when there is none.
+// The widest Jacobian that other libraries compute too: from the base to a link of the URDF. Null if there is none.
 inline const reflection::Jacobian* compared_jacobian(const Robot& robot) {
   const reflection::Jacobian* widest = nullptr;
   for (const reflection::Jacobian& j : robot.jacobians) {
@@ -245,7 +245,7 @@ inline const reflection::Jacobian* compared_jacobian(const Robot& robot) {
   return widest;
 }
 
-// That between the same frames; null when there is none.
+// The transform between the same frames; null if there is none.
 inline const reflection::Transform* compared_transform(const Robot& robot) {
   const reflection::Jacobian* jacobian = compared_jacobian(robot);
   for (const reflection::Transform& t : robot.transforms) {
@@ -270,7 +270,7 @@ inline std::string kernel_name(const reflection::Transform& transform) {
   return std::string("homogeneous_") + transform.name;
 }
 
-// A function of positions alone, of the library's table: the same with sines and cosines known.
+// Adds `<name>/given_trig` for a function of positions only, from the library's table.
 template <class R, class Matrix>
 void add_core(
     const Robot& robot,
@@ -312,7 +312,7 @@ void add_homogeneous(const Robot& robot, const std::vector<State<R>>& states, co
   add_core<R, Eigen::Matrix4d>(robot, states, benchmark_name(transform), kernel);
 }
 
-// All that exist, each once.
+// The arguments that are not null, each once.
 template <class T>
 std::vector<const T*> distinct(const T* first, const T* second) {
   std::vector<const T*> all;
@@ -321,7 +321,7 @@ std::vector<const T*> distinct(const T* first, const T* second) {
   return all;
 }
 
-// Measurements of the tables, which are empty when a group is missing.
+// The measured elements of the tables, which are empty if a group is missing.
 inline std::vector<const reflection::Transform*> measured_transforms(const Robot& robot) {
   return distinct(longest_transform(robot), compared_transform(robot));
 }

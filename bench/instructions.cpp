@@ -1,4 +1,4 @@
-// Calls one function of a generated library over and over, for a program that counts instructions: instructions.sh.
+// Calls one function of a generated library repeatedly, for a program that counts instructions (instructions.sh):
 //     instructions inverse_dynamics|inverse_dynamics_base_free|forward_dynamics|joint_space_inertia <calls>
 #include <subject/subject.h>
 
@@ -47,7 +47,7 @@ void repeat(int calls, const Call& call) {
   }
 }
 
-// As in the comparison with other libraries: for a floating base, the acceleration of the base is given.
+// As in the comparison with other libraries, the acceleration of a floating base is given.
 template <class R>
 bool run(const std::string& function, int calls) {
   if (function == "inverse_dynamics") {

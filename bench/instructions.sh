@@ -39,7 +39,7 @@ count_model() { # name model folder
   if [[ $2 == *.urdf ]]; then
     options=(--snap-angles)
   fi
-  # Its messages about the model do not matter here.
+  # The generator's messages about the model do not matter here.
   if ! "$generator" generate "$2" -o "$3" --name subject "${options[@]}" \
     --algorithms inverse_dynamics forward_dynamics joint_space_inertia 2>"$3/remarks"; then
     cat "$3/remarks" >&2

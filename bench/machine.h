@@ -1,4 +1,4 @@
-// Queries of the report to the operating system.
+// Queries to the operating system, for the report.
 #pragma once
 
 #include <optional>
@@ -6,17 +6,17 @@
 
 namespace robcogen::bench {
 
-// A word of a command line of the shell.
+// The text quoted as one word of a shell command.
 std::string quoted(const std::string& text);
 
-// Standard output of a command of the shell; nullopt when it could not run or failed.
+// Standard output of a shell command; nullopt if it could not run or failed.
 std::optional<std::string> output_of(const std::string& command);
 
-// Ties this process and those that it starts to one processor, the last that it may use, as interrupts mostly go to the
-// first. Its number, or nullopt where the system has no such thing.
+// Pins this process and those that it starts to one processor, the last that it may use, because interrupts mostly go
+// to the first. Returns its number, or nullopt if the system does not support this.
 std::optional<int> pin_to_one_processor();
 
-// As the system calls it; empty when it does not say.
+// The system's name for the processor; empty if it is unknown.
 std::string processor_name();
 
 }  // namespace robcogen::bench

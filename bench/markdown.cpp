@@ -24,7 +24,7 @@ std::string count(const Function& function, const std::string& what) {
   return found == function.counts.end() ? "0" : std::to_string(found->second);
 }
 
-// The robot in its first row alone; with a floating base, `6 + 12` degrees of freedom.
+// The name and degrees of freedom (`6 + 12` with a floating base), in the first row of a robot only.
 std::string robot_cell(const Results& results, bool is_first) {
   return is_first ? fmt::format("{}, {}{}", results.robot, results.floating_base ? "6 + " : "", results.joints) : "";
 }

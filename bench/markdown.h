@@ -8,8 +8,8 @@
 
 namespace robcogen::bench {
 
-// Two tables with a row for each robot and compared quantity: the generated code's times, counts, bound and size; and
-// how many times as long each peer takes.
+// Two tables with a row for each robot and compared quantity: one with the generated code's times, counts, bound and
+// size, one with the ratios of the peers' times to these.
 std::string markdown(const std::vector<Results>& robots);
 
 }  // namespace robcogen::bench

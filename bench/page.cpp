@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// The cells of `| a | b |`; empty for another line.
+// The cells of a line `| a | b |`; empty for any other line.
 Row cells(const std::string& line) {
   Row row;
   if (line.empty() || line[0] != '|') return row;
@@ -40,7 +40,7 @@ double number(const std::string& cell) {
   return value;
 }
 
-// `Quadruped, 6 + 12`, or `Iiwa14, 7`.
+// Reads a cell such as `Quadruped, 6 + 12` or `Iiwa14, 7`.
 Results robot(const std::string& cell) {
   const std::size_t comma = cell.rfind(", "), plus = cell.rfind("6 + ");
   if (comma == std::string::npos) throw std::runtime_error(fmt::format("'{}' has no degrees of freedom", cell));

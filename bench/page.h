@@ -1,4 +1,4 @@
-// Measurements on a page of documentation, read back from it.
+// Reads measurements back from a page of documentation.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace robcogen::bench {
 
-// The robots of the last table of `markdown` (markdown.h) in `page`: medians of the generated code, and of the peers as
-// ratio times these. Robots without a peer are left out. Throws std::runtime_error where the page has no such table, or
-// a row of it cannot be read.
+// The robots of the last table in `page` that `markdown` (markdown.h) printed, with the medians of the generated code
+// and those of the peers, computed from the ratios. Robots without a peer are left out. Throws std::runtime_error if
+// the page has no such table, or a row of it cannot be read.
 std::vector<Results> read_page(const std::string& page);
 
 }  // namespace robcogen::bench

@@ -10,7 +10,7 @@
 namespace robcogen::bench {
 namespace {
 
-// Tables have one digit behind the point.
+// Tables have one decimal place.
 constexpr double kDigits = 0.051;
 
 Results leg() {

@@ -1,9 +1,9 @@
-// Times the same function of several libraries side by side: paired.sh.
+// Times the same function of several libraries side by side, for paired.sh:
 //     paired <size> <function> <library>…
-// prints a line for each library: its number, then cycles of a call and how much of the first library's that is, for
-// calls in a row and for calls of which each waits for the result of the one before. All calls of a round follow one
-// another within milliseconds, in random order; what is printed are medians over the rounds. Size: joints, and 6 more
-// where the base floats, whose coordinates follow those of the joints.
+// prints a line for each library: its number, then cycles of a call and the ratio to those of the first library, for
+// calls in a row and for calls that each wait for the result of the previous one. All calls of a round follow one
+// another within milliseconds, in random order; medians over the rounds are printed. The size is the number of joints,
+// plus 6 for a floating base, whose coordinates follow those of the joints.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ double time_in_a_row(Kernel kernel, const std::vector<State>& states, Vector& re
   return (nanoseconds() - start) / kStates;
 }
 
-// A share of the result that rounds to nothing is added to the next positions.
+// Each call waits for the previous one: a multiple of its result that rounds to nothing is added to the next positions.
 double time_waiting(Kernel kernel, const std::vector<State>& states, Vector& result) {
   Vector q = states[0].q;
   const double start = nanoseconds();
@@ -79,7 +79,7 @@ double time_waiting(Kernel kernel, const std::vector<State>& states, Vector& res
   return (nanoseconds() - start) / kStates;
 }
 
-// Of a chain of additions, one cycle each.
+// Time (ns) of a cycle, from a chain of additions that take one cycle each.
 double time_of_cycle() {
   constexpr int kAdditions = 1 << 16;
   std::uint64_t sum = 0;
@@ -119,7 +119,7 @@ void run(std::size_t size, const std::vector<Kernel>& kernels) {
   Vector result(size * size);
   for (int round = 0; round < kRounds; ++round) {
     std::shuffle(order.begin(), order.end(), engine);
-    for (const std::size_t i : order) {  // the lesser of two: the first one fills the caches
+    for (const std::size_t i : order) {  // the lesser of two times, because the first call fills the caches
       const auto lesser = [](auto time) { return std::min(time(), time()); };
       times[i].row.push_back(lesser([&] { return time_in_a_row(kernels[i], states, result); }));
       times[i].waiting.push_back(lesser([&] { return time_waiting(kernels[i], states, result); }));

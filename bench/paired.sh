@@ -53,7 +53,7 @@ for variant; do
   mkdir "$folder"
   generator=${variant%%,*}
   own=${variant#"$generator"}
-  # Its messages about the model do not matter here.
+  # The generator's messages about the model do not matter here.
   if ! "$generator" generate "$model" -o "$folder" --name subject "${options[@]}" --processors baseline avx2 \
     --algorithms inverse_dynamics forward_dynamics joint_space_inertia 2>"$folder/remarks"; then
     cat "$folder/remarks" >&2

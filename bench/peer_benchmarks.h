@@ -7,9 +7,9 @@
 
 namespace robcogen::bench {
 
-// Adds `<peer>/<quantity>` for whatever the generated code computes and the peers have; the label is the name of the
-// benchmark that it is set against. All peers were prepared with `states` states. The context entry `peers` lists the
-// peers, `absent` the libraries that take no part with their reasons, one a line.
+// Adds `<peer>/<quantity>` for each quantity that the generated code computes and a peer has; the label is the name of
+// the benchmark that it is compared with. All peers were prepared with `states` states. The context entry `peers` lists
+// the peers, `absent` the libraries that do not take part with the reasons, one per line.
 void add_peer_benchmarks(
     const std::vector<peers::Candidate>& candidates,
     const std::vector<Computed>& computed,

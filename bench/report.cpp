@@ -1,11 +1,12 @@
-// Measures all robots and reports: tables on the console, everything as JSON, times against degrees of freedom as SVG.
+// Measures all robots and writes reports: tables on the console, all results as JSON, times against degrees of freedom
+// as SVG.
 //
 //     report [--nm PROGRAM] [--compile-commands FILE] [--json FILE] [--chart FILE] [--markdown FILE] [--compiler TEXT]
 //            [--flags TEXT] <benchmark program>=<static library> …
 //
 // Runs each benchmark program on one processor, looks up the size of the kernels in the library and, given the
-// commands, compiles its sources once more to see how long that takes: the library of `x_bench` is the target `x`.
-// Files are written only when every program did its work. Exit status 1: one did not; 2: usage or output.
+// commands, compiles its sources once more to measure the time: the library of `x_bench` is the target `x`. Files are
+// written only if every program succeeded. Exit status 1: one did not; 2: usage or output.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -41,7 +42,7 @@ struct Arguments {
   std::vector<Robot> robots;
 };
 
-// nullopt when they are invalid.
+// Returns nullopt if they are invalid.
 std::optional<Arguments> read_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   const std::map<std::string, std::string*> options = {
@@ -71,10 +72,10 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// nullopt, with a message on standard error, when the program or its results are invalid.
+// Returns nullopt, with a message on standard error, if the program or its results are invalid.
 std::optional<Results> measure(const std::string& program) {
-  // A file, because libraries print to standard output. With JSON there, too, standard error is left for
-  // what went wrong. On one processor threads say nothing.
+  // Results go to a file, because libraries print to standard output. With JSON also there, standard error has only
+  // error messages. On one processor, benchmarks with threads are meaningless.
   const std::string file = program + ".json";
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
@@ -96,7 +97,7 @@ std::optional<Results> measure(const std::string& program) {
   return results;
 }
 
-// Data about the library that need no run. The table is useful without them too.
+// Adds data about the library that need no run. The table is useful even without them.
 void look_at_library(const Arguments& arguments, const Robot& robot, Results& results) {
   results.bytes = kernel_sizes(output_of(quoted(arguments.nm) + " -S -C " + quoted(robot.library)).value_or(""));
   if (arguments.compile_commands.empty()) return;

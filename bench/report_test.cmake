@@ -1,4 +1,4 @@
-# The report of benchmarks and an nm that print known results.
+# Tests the report with benchmarks and an nm that print known results.
 #     cmake -DREPORT=<program> -DDIRECTORY=<scratch> -P report_test.cmake
 file(REMOVE_RECURSE ${DIRECTORY})
 file(MAKE_DIRECTORY ${DIRECTORY})
@@ -8,7 +8,7 @@ function(write_script name text)
   file(CHMOD ${DIRECTORY}/${name} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endfunction()
 
-# A benchmark that chats on standard output, as some libraries do, and writes its results where it is told to.
+# A benchmark that prints to standard output, as some libraries do, and writes its results to the given file.
 function(write_benchmark name results)
   write_script(${name} "echo chat
 for argument; do
@@ -19,7 +19,7 @@ ${results}
 END")
 endfunction()
 
-# Repetitions in disorder; medians count, 21.84 here; a counter of zero is left out by the benchmark.
+# Repetitions are not in order; medians count, 21.84 here; the benchmark leaves out a counter of zero.
 write_benchmark(leg_bench [=[
 {"context": {"host_name": "secret", "robot": "Leg", "joints": "2", "states": "1024", "floating_base": "no",
   "peers": "Judge\nSlow judge", "absent": "Stranger: not installed\nOther: has no legs", "num_cpus": 2,
@@ -37,15 +37,16 @@ write_benchmark(leg_bench [=[
  {"run_name": "of_nothing/batch", "family_index": 6, "run_type": "iteration", "cpu_time": 7},
  {"run_name": "clock/1024", "family_index": 7, "run_type": "iteration", "cpu_time": 512},
  {"run_name": "Slow judge/inverse_dynamics", "family_index": 3, "run_type": "iteration", "cpu_time": 1000}]}]=])
-# Twice as slow, and Judge 20 times as slow as that: its geometric mean is 10.
+# A benchmark that is twice as slow, with Judge 20 times as slow as that: Judge's geometric mean is 10.
 write_benchmark(arm_bench [=[
 {"context": {"robot": "Arm", "joints": "12", "states": "1024", "floating_base": "yes", "peers": "Judge",
   "absent": "Stranger: not installed", "compared/inverse_dynamics": "inverse_dynamics_fully_actuated"},
  "benchmarks": [
  {"run_name": "inverse_dynamics_fully_actuated", "family_index": 0, "run_type": "iteration", "cpu_time": 43.68},
  {"run_name": "Judge/inverse_dynamics", "family_index": 1, "run_type": "iteration", "cpu_time": 873.6}]}]=])
-# A copy of its core is part of 0x24c = 588 bytes, the strange one calls its core, which chooses and is in two parts:
-# 0x10 + 0x20 + 0x100 + 0x40 + 0x40 = 432; the kernel for float, and those whose names only begin in the same way, are others.
+# 0x24c = 588 bytes include a copy of the core. The strange kernel calls its core, which chooses and has two parts:
+# 0x10 + 0x20 + 0x100 + 0x40 + 0x40 = 432. The kernel for float, and kernels whose names only begin in the same way, do not
+# count.
 write_script(nm "cat <<'END'
 
 leg.cpp.o:
@@ -65,7 +66,7 @@ END")
 write_benchmark(broken_bench "no JSON")
 write_script(disagreeing_bench "echo 'Judge disagrees' >&2; exit 1")
 
-# Two sources of the leg, of which each takes a compiler's time, one of its batches and one of another library, which
+# Two sources of the leg, which the compiler compiles, and one source of its batches and one of another library, which
 # nothing compiles.
 write_script(compiler "[ \"$1 $3\" = '-o -c' ] && [ $4 != broken.cpp ] && echo object > \"$2\"")
 foreach(source leg/CMakeFiles/leg.dir/a leg/CMakeFiles/leg.dir/b leg/CMakeFiles/leg.dir/batch/broken
@@ -150,7 +151,7 @@ if(NOT chart MATCHES "Judge, Arm: 873.6 ns")
   message(FATAL_ERROR "a point is missing in\n${chart}")
 endif()
 
-# A program that fails or cannot be understood: the rest is measured, no file is written.
+# If a program fails or its results cannot be read, the rest is measured, but no file is written.
 foreach(argument ${DIRECTORY}/broken_bench=libleg.a ${DIRECTORY}/disagreeing_bench=libleg.a ${DIRECTORY}/absent=libleg.a
                  no_library)
   file(REMOVE ${DIRECTORY}/report.json)

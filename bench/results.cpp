@@ -14,7 +14,7 @@ const std::vector<std::string> kQuantities = {
 
 namespace {
 
-// At least one value.
+// The statistics of at least one value.
 Time time_of(std::vector<double> nanoseconds) {
   std::sort(nanoseconds.begin(), nanoseconds.end());
   const std::size_t n = nanoseconds.size();
@@ -51,7 +51,7 @@ void read_context(const nlohmann::json& context, Results& results) {
   results.frequency_scaling = context.value("cpu_scaling_enabled", false);
 }
 
-// For one call; when a call works on several states (items), for one of them.
+// The time of one call; if a call computes several states (items), the time per state.
 double nanoseconds_of(const nlohmann::json& entry) {
   const double states_per_second = entry.value("items_per_second", 0.0);
   return states_per_second > 0 ? 1e9 / states_per_second : entry.at("cpu_time").get<double>();
@@ -61,8 +61,8 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// The measurement of another benchmark, which may be the same function under another name: `<function>/given_trig` or
-// `<function>/batch`, the robot's name before it or not. Whether it was.
+// Adds the measurement of a variant, `<function>/given_trig` or `<function>/batch`, with or without the robot's name in
+// front, to its function. Returns whether it was one.
 bool is_variant(const std::string& name, const Time& time, Results& results) {
   for (const auto& [end, member] :
        {std::pair("/given_trig", &Function::given_trig), std::pair("/batch", &Function::batch)}) {
@@ -78,7 +78,7 @@ bool is_variant(const std::string& name, const Time& time, Results& results) {
 
 constexpr const char* kClock = "clock/";  // and the number of cycles
 
-// One benchmark, of all its repetitions.
+// Reads one benchmark from all its repetitions.
 void read_benchmark(const std::vector<nlohmann::json>& repetitions, Results& results) {
   const nlohmann::json& first = repetitions.front();
   std::vector<double> nanoseconds;
@@ -112,10 +112,10 @@ Results read_results(const std::string& json) {
   // Repetitions come in the order in which they were run; a family is one call that added a benchmark.
   std::map<int, std::vector<nlohmann::json>> repetitions;
   for (const nlohmann::json& entry : document.at("benchmarks")) {
-    if (entry.value("run_type", "") != "iteration") continue;  // means and the like
+    if (entry.value("run_type", "") != "iteration") continue;  // means and other statistics
     repetitions[entry.at("family_index").get<int>()].push_back(entry);
   }
-  // Variants after the functions that they are of.
+  // Variants are read after their functions.
   const auto is_variant_name = [](const std::vector<nlohmann::json>& entries) {
     const std::string name = entries.front().at("run_name").get<std::string>();
     return ends_with(name, "/given_trig") || ends_with(name, "/batch");
@@ -144,7 +144,7 @@ std::optional<double> cycles(const Results& results, const Function& function) {
 
 namespace {
 
-// By the text after `kernel::`, such as `core::in_lanes::forward_dynamics`.
+// Sizes of kernels by the text after `kernel::`, such as `core::in_lanes::forward_dynamics`.
 std::map<std::string, long> kernel_symbols(const std::string& listing) {
   std::map<std::string, long> sizes;
   std::istringstream stream(listing);
@@ -153,22 +153,23 @@ std::map<std::string, long> kernel_symbols(const std::string& listing) {
     const std::size_t scope_at = line.find(scope);
     const std::size_t end = line.find("<double>(");
     if (scope_at == std::string::npos || end == std::string::npos || end < scope_at) continue;
-    // Those of batches call the kernels.
+    // Functions over many states call the kernels, and are not kernels themselves.
     const std::string outer = "::batch::";
     if (scope_at >= outer.size() && line.compare(scope_at - outer.size(), outer.size(), outer) == 0) continue;
     const std::size_t begin = scope_at + scope.size();
     std::istringstream fields(line);
     std::string address, size;
     if (!(fields >> address >> size)) continue;
-    // Each object file that uses a kernel may hold a copy; the linker keeps one. Where a program chooses a processor's
-    // kernel, the function of this name only calls it: the largest is that for the baseline.
+    // Each object file that uses a kernel may hold a copy; the linker keeps one. If a program chooses the kernel for a
+    // processor, the function of this name only calls it: the largest is that for the baseline.
     long& largest = sizes[line.substr(begin, end - begin)];
     largest = std::max(largest, std::strtol(size.c_str(), nullptr, 16));
   }
   return sizes;
 }
 
-// The function and those that it chooses from or consists of: `in_lanes::`, `one_by_one::`, and their `parts::`.
+// Size of the function with those that it chooses from or consists of: `in_lanes::`, `one_by_one::`, and their
+// `parts::`.
 long whole_size(const std::map<std::string, long>& symbols, const std::string& scope, const std::string& name) {
   long size = 0;
   for (const std::string way : {"", "in_lanes::", "one_by_one::"}) {
@@ -189,8 +190,8 @@ std::map<std::string, long> kernel_sizes(const std::string& listing) {
   for (const auto& [name, size] : symbols) {
     if (name.find(':') != std::string::npos) continue;
     sizes[name] = whole_size(symbols, "", name);
-    // The part of a kernel after sines and cosines is a separate function. One that is smaller calls it; one
-    // that is larger, or computes its limbs in lanes itself, has a copy.
+    // The part of a kernel after sines and cosines, its core, is a separate function. A kernel that is smaller than its
+    // core calls it; one that is larger, or computes its limbs in lanes itself, contains a copy.
     const long core = whole_size(symbols, "core::", name);
     if (sizes[name] < core) sizes[name] += core;
   }

@@ -1,4 +1,4 @@
-// Code of other generators as a peer: what it is given, and how its results are read.
+// Code of other generators as a peer: its arguments, and how its results are read.
 #include "rivals/rivals.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@ namespace {
 
 using peers::Quantity;
 
-// Of two joints on a floating base: its forces are its arguments, and its matrix counts elements by columns.
+// A robot with two joints on a floating base: its forces are its arguments, and its matrix numbers the elements by
+// columns.
 States given;
 std::vector<double> last;
 

@@ -1,10 +1,10 @@
-// The benchmark of one generated library: each function over 1,024 random states in turn. Compiled once a robot, with
+// The benchmark of one generated library: each function over 1,024 random states in turn. Compiled once per robot, with
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
-//     ROBCOGEN_BATCH_HEADER                               functions over many states, where the library has them
+//     ROBCOGEN_BATCH_HEADER                               functions over many states, if the library has them
 //     ROBCOGEN_BENCH_FLAGS                                the flags of its kernels, as text
-//     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, where other libraries are measured too
-//     ROBCOGEN_BENCH_FIRST_ROBCOGEN, ROBCOGEN_BENCH_CPPADCODEGEN   where code of these generators for the robot is
+//     ROBCOGEN_BENCH_URDF                                 the robot as a URDF, if other libraries are measured too
+//     ROBCOGEN_BENCH_FIRST_ROBCOGEN, ROBCOGEN_BENCH_CPPADCODEGEN   defined if code of these generators for the robot is
 //     linked
 //
 // Exit status 1: another library disagrees with the generated code; nothing was timed.
@@ -56,8 +56,8 @@ std::vector<const rivals::Rival*> linked_rivals() {
   };
 }
 
-// Loads the other libraries' models of the robot and adds their benchmarks; false, with a message, when one of them
-// disagrees with the generated code. The peers outlive the benchmarks.
+// Loads the other libraries' models of the robot and adds their benchmarks. Returns false, with a message, if one of
+// them disagrees with the generated code. The peers must outlive the benchmarks.
 template <class R>
 bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vector<peers::Candidate>& candidates) {
   const peers::Subject robot_of_peers = subject(robot, ROBCOGEN_BENCH_URDF);
@@ -82,7 +82,7 @@ bool add_peers(const Robot& robot, const std::vector<State<R>>& states, std::vec
 }
 #endif
 
-// With the declared defaults of its parameters, or values at random: the time depends on none.
+// An instance with the declared defaults of its parameters, or random values, because the time does not depend on them.
 template <class R>
 R instance([[maybe_unused]] const Robot& robot) {
   if constexpr (reference::kIsParametric<R>) {

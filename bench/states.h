@@ -12,7 +12,7 @@ namespace robcogen::bench {
 
 using reflection::Robot;
 
-// Enough that branch and value predictors learn nothing, little enough to stay near the processor.
+// Too many for branch and value predictors to learn, few enough to stay in the near caches.
 constexpr std::size_t kStates = 1024;
 constexpr std::uint64_t kSeed = 20;
 
@@ -25,7 +25,7 @@ struct State {
   SpatialAcceleration base_acceleration;
 };
 
-// To the types of the library, which store their elements one after another.
+// Converts to a type of the library, which stores its elements contiguously.
 template <class To>
 To converted(const reference::Vector<double>& from) {
   To to;
@@ -33,7 +33,7 @@ To converted(const reference::Vector<double>& from) {
   return to;
 }
 
-// kStates of them for this instance, the same in every run; a fixed base rests.
+// kStates random states for this instance, the same in every run; a fixed base is at rest.
 template <class R>
 std::vector<State<R>> random_states(const Robot& robot, const R& instance) {
   using Joints = typename R::JointState;

@@ -71,7 +71,7 @@ std::string mean_rows(const std::vector<Mean>& means, const std::vector<std::str
   return rows;
 }
 
-// One line for each library and reason, with the robots, unless it is so for all of them.
+// One line for each library and reason, with the robots unless it applies to all of them.
 std::string absent_rows(const std::vector<Results>& robots) {
   std::vector<Absence> absences;
   std::vector<std::size_t> counts;
@@ -116,7 +116,7 @@ std::string function_rows(const Results& results) {
     rows += fmt::format(
         "  {:<42} {:>9.1f} {:>10} {:>9}", f.name, f.time.median, median_of(f.given_trig), median_of(f.batch));
     for (std::size_t i = 0; i < kCounts.size(); ++i) {
-      // A benchmark leaves zeros out; one of a kernel without counts has none at all.
+      // A benchmark leaves out zeros; the benchmark of a kernel without counts has no counters.
       const auto count = f.counts.find(kCounts[i]);
       const std::string text = f.counts.empty() ? "-" : std::to_string(count == f.counts.end() ? 0 : count->second);
       rows += fmt::format(" {:>{}}", text, kColumns[i].width);

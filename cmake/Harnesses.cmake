@@ -1,8 +1,8 @@
 # The programs that robcogen_add_robot compiles once for each robot. A harness is an interface target that carries its
 # source, so that the function finds it in this tree and in an installed package.
 
-# Defines robcogen::<name>_harness from `sources`, a program and its headers. The program also includes the headers of the
-# targets that follow.
+# Defines robcogen::<name>_harness from `sources`, which are a program and its headers. The program also includes the
+# headers of the targets that follow.
 function(robcogen_harness name sources)
   set(target robcogen_${name}_harness)
   add_library(${target} INTERFACE)

@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir lib/cmake/robcogen)
 
 install(DIRECTORY runtime/include/ tests/reference/include/ DESTINATION include)
-# A folder with nothing to install would be installed empty.
+# Documents are installed file by file: install(DIRECTORY) would also make empty folders where there is no document.
 file(GLOB documents RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} robots/*/*.*dsl robots/*/parts/*.kindsl)
 foreach(document IN LISTS documents)
   cmake_path(GET document PARENT_PATH folder)
@@ -48,14 +48,14 @@ install(
         tool/backend/common/globals.inc
   DESTINATION ${package_dir})
 
-# A package of a ROS 2 workspace is found by this file and this marker.
+# A ROS 2 workspace finds the package by this file and this marker.
 install(FILES package.xml DESTINATION share/robcogen)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ament_index/robcogen "")
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ament_index/robcogen DESTINATION share/ament_index/resource_index/packages)
 
 configure_file(cmake/robcogen.pc.in robcogen.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/robcogen.pc DESTINATION share/pkgconfig)
-# The guides where their links to each other hold, and the examples that they are about.
+# The guides, in folders in which their links to each other are valid, and the examples that they describe.
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/robcogen)
 file(GLOB guides RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} README.md CONTRIBUTING.md cmake/*.md runtime/*.md runtime/*/*.md bench/*.md bench/*.svg
      tool/*.md tool/*/*.md tool/*/*.svg tool/editors/*/*.md)
@@ -66,7 +66,7 @@ endforeach()
 install(DIRECTORY robots DESTINATION share/doc/robcogen PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY tool/editors DESTINATION share/robcogen PATTERN "*.cpp" EXCLUDE PATTERN "*.md" EXCLUDE)
 
-# What the generator prints of its own command line: the manual page, completions where shells look for them.
+# What the generator prints about its own command line: the manual page, and completions in the folders of the shells.
 if(TARGET robcogen)
   set(described ${PROJECT_BINARY_DIR}/described)
   install(FILES ${described}/robcogen.1 DESTINATION share/man/man1)
@@ -75,7 +75,7 @@ if(TARGET robcogen)
   install(FILES ${described}/robcogen.fish DESTINATION share/fish/vendor_completions.d)
 endif()
 
-# The target robcogen_deb: a Debian package; robcogen_source: the sources as an archive; uninstall.
+# The targets robcogen_deb (a Debian package), robcogen_source (an archive of the sources) and uninstall.
 if(PROJECT_IS_TOP_LEVEL)
   include(cmake/Release.cmake)
 endif()

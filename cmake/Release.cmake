@@ -1,8 +1,8 @@
-# What a release consists of: a Debian package, an archive of the sources; and the way back, uninstall.
+# The targets of a release: a Debian package, an archive of the sources, and uninstall.
 set(CPACK_PACKAGE_NAME robcogen)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Generator of kinematics and dynamics of robots in C++, C, Python and other languages")
 
-# As Debian's own tools take the maintainer.
+# The maintainer is taken from the same variables as by Debian's own tools.
 set(maintainer "RobCoGen developers")
 set(address "robcogen@example.org")
 if(NOT "$ENV{DEBFULLNAME}" STREQUAL "" AND NOT "$ENV{DEBEMAIL}" STREQUAL "")
@@ -20,7 +20,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, g++")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake (>= 3.22)")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-dev, python3-numpy")
 
-# Patterns begin at a slash, so that no file whose name ends like one is left out.
+# Patterns begin with a slash, so that they do not match files whose names only end like them.
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_PACKAGE_FILE_NAME robcogen-${PROJECT_VERSION})
 set(CPACK_SOURCE_IGNORE_FILES "${PROJECT_SOURCE_DIR}/build[^/]*/" "/[.]git/" "${PROJECT_SOURCE_DIR}/[.]git$" "/[.]cache/"

@@ -4,7 +4,7 @@
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
 #       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .xml (a URDF or MJCF) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
-#       [IMPORT_DIRS folder…]       # to search for documents that MODEL imports, after its own folder
+#       [IMPORT_DIRS folder…]       # folders to search for documents that MODEL imports, after its own folder
 #       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
@@ -14,36 +14,36 @@
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
 #                                   # same NAME when their NAMESPACEs differ
-#       [ALGORITHMS group…]         # of the groups of functions that this file lists below, or `all`; without it, the
-#                                   # default ones. README.md says what is in each
+#       [ALGORITHMS group…]         # groups of functions, from the list in this file, or `all`; without it, the default
+#                                   # ones. README.md describes them
 #       [DERIVATIVES function:input…]
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
 #       [CONTACTS frame[:point|:surface]…]
-#                                   # frames that touch what does not move, for functions of contacts: three rows each, six
-#                                   # of a surface. Without ALGORITHMS, the default groups and `contacts`
+#                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
+#                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
 #                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
-#                                   # baseline of the compiler; a program selects one when it starts
-#       [BATCH_LEVELS level…]       # from avx2 and avx512: the levels that BATCH compiles for in addition to the baseline; without
-#                                   # it, both. `baseline`: only that. The best level that the machine has runs
-#       [PROCESSORS level…]         # what the functions of one state are compiled for, from baseline, avx2 and avx512; a
-#                                   # program chooses when it starts. The baseline is always included. Without PROCESSORS
-#                                   # or where options of the build choose a processor (-march=…, -mavx2, …): the README
+#                                   # baseline of the compiler; a program selects one level when it starts
+#       [BATCH_LEVELS level…]       # levels that BATCH compiles for in addition to the baseline, from avx2 and avx512; without
+#                                   # it, both. `baseline`: only that. A program uses the best level of its machine
+#       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
+#                                   # a program chooses when it starts. The baseline is always included. README.md describes
+#                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
 #       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile. Not with PYTHON
 #       [LANGUAGES cpp c matlab maxima javascript]
-#                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. That in C is the
-#                                   # library <TARGET>_c (RobcogenC.cmake); nothing compiles the rest
+#                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
+#                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled
 #       [PYTHON]                    # also a Python module (RobcogenPython.cmake)
 #       [CASADI]                    # also the library <TARGET>_casadi of external functions of CasADi (RobcogenC.cmake)
-#       [DEPENDS file|target…]      # when a rule of the build generates MODEL or DESIRED
+#       [DEPENDS file|target…]      # if a rule of the build generates MODEL or DESIRED
 #       [COMPILE_OPTIONS option…]   # for the generated translation units only. Without an -O here, they get -O2 in
 #                                   # configurations without optimisation, such as Debug or none
 #       [OUTPUT_DIR dir]            # include root; without it, ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/<TARGET>
 #       [NO_TESTS] [NO_BENCH] [TEST_SEED n] [TEST_SAMPLES n]
-#       [TEST_STACK_LIMIT bytes]    # of the frames of a kernel, its core and a part; without it, 65536: half of the smallest
-#                                   # default stack of a thread (musl). With BATCH, 262144, with the frame of the caller of
-#                                   # the kernel: eight states at once need eight times the memory
+#       [TEST_STACK_LIMIT bytes]    # for the stack frames of a kernel, its core and a part together; without it, 65536: half
+#                                   # of the smallest default stack of a thread (musl). With BATCH, 262144, including the
+#                                   # frame of the kernel's caller: eight states at once need eight times the memory
 #       [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable]     # receives the absolute paths of the generated files
 #       [OPTIONS flag…])            # further flags of `robcogen generate`, such as --free-mimic-joints (URDF)
@@ -52,10 +52,10 @@
 #     hyl            the static library; #include <hyl/hyl.h>
 #     hyl_codegen    the generated files only
 #     hyl_selfcheck  compares the compiled code with an independent recursion, and functions over many states with
-#                    those over one state; ctest hyl.selfcheck, label `robot` (when BUILD_TESTING is on)
+#                    those of one state; ctest hyl.selfcheck, label `robot` (if BUILD_TESTING is on)
 #     hyl_allocations  runs every function with an allocator that aborts; ctest hyl.allocations. The ctest
 #                    hyl.real_time checks the compiled files (RobcogenRealTime.cmake)
-#     hyl_bench      times the functions (when Google Benchmark is found)
+#     hyl_bench      times the functions (if Google Benchmark is found)
 #     hyl_view       writes OUTPUT_DIR/hyl.html, a page that shows the robot and moves it; not part of `all`
 # and the umbrellas robcogen_codegen and robcogen_bench. An error in the call stops the configuration.
 #
@@ -83,7 +83,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passiv
                                              slotine_li_regressor transforms jacobians jacobian_references
                                              jacobians_with_base jacobian_derivatives velocities accelerations world
                                              world_centroidal)
-# The default: the functions that most programs need, which compile quickly.
+# The default groups: functions that most programs need and that compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)
 
@@ -164,7 +164,7 @@ function(robcogen_add_robot)
   endif()
 endfunction()
 
-# Checks the type of a robot's document.
+# Checks the file type of MODEL, and keywords that need a certain type.
 function(_robcogen_check_robot)
   cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
   if(NOT extension MATCHES "^\\.(kindsl|urdf|xml|xacro)$")
@@ -181,8 +181,8 @@ function(_robcogen_check_robot)
   endforeach()
 endfunction()
 
-# Sets `result` to the path of a robot's header. A robot may have the name of one of them: <name>/<name>.h is the umbrella
-# header, and the other one becomes <stem>_.h.
+# Sets `result` to the path of a robot's header. If the robot has the name of a header, <name>/<name>.h is the umbrella
+# header, and the other header becomes <stem>_.h.
 function(_robcogen_header folder stem result)
   cmake_path(GET folder FILENAME name)
   string(TOLOWER ${name} lower)
@@ -192,7 +192,7 @@ function(_robcogen_header folder stem result)
   set(${result} ${folder}/${stem}.h PARENT_SCOPE)
 endfunction()
 
-# Sets `result` to the folder of a library's files: its name, below a folder for each enclosing namespace.
+# Sets `result` to the folder of a library's files: its name, below one folder for each enclosing namespace.
 function(_robcogen_folder result)
   string(REPLACE "::" ";" parts "${library_NAMESPACE}")
   list(APPEND parts ${library_NAME})
@@ -258,10 +258,10 @@ function(_robcogen_batch_files folder chosen headers sources)
   set(${sources} ${source_list} PARENT_SCOPE)
 endfunction()
 
-# The output of the rule is a stamp, and the files are by-products of a second rule: the tool does not touch files that
-# would not change, so that as outputs they would always be out of date for Make. They belong to the second rule because
-# Ninja prints all outputs of a rule that fails: with the stamp only, an error in the model follows one line. The second
-# rule only generates files again that were removed, under Ninja.
+# The output of the rule is a stamp, and the files are by-products of a second rule. The tool does not touch files that
+# would not change, so as outputs they would always be out of date for Make. They belong to the second rule because
+# Ninja prints all outputs of a rule that fails: if that is the stamp only, an error in the model follows one line. The
+# second rule only generates removed files again, under Ninja.
 function(_robcogen_add_codegen target)
   _robcogen_folder(stem)
   string(REPLACE "/" "." stem ${stem})
@@ -295,7 +295,7 @@ function(_robcogen_add_codegen target)
   _robcogen_join_umbrella(robcogen_codegen ${target})
 endfunction()
 
-# Sets `result` to the keywords of the call in the words of `robcogen generate`.
+# Sets `result` to the options of `robcogen generate` that correspond to the keywords of the call.
 function(_robcogen_generate_arguments result)
   set(arguments --name ${library_NAME})
   if(library_NAMESPACE)
@@ -345,8 +345,8 @@ function(_robcogen_generate_arguments result)
   set(${result} ${arguments} ${library_OPTIONS} PARENT_SCOPE)
 endfunction()
 
-# A target for languages other than C++ only. The names of their files follow from the model, which the configuration does
-# not read.
+# Adds the target of a robot without C++. The file names of the other languages depend on the model, which the
+# configuration does not read.
 function(_robcogen_add_text)
   _robcogen_add_codegen(${library_TARGET}_codegen)
   _robcogen_exclusion(exclusion)
@@ -359,8 +359,8 @@ function(_robcogen_add_text)
   _robcogen_add_c_library()
 endfunction()
 
-# Sets `result` to the optimisation of generated units: -O2 in each configuration without optimisation, since a kernel is
-# five times slower without, and debugging it is rarely useful. Other options, such as sanitizers, are kept.
+# Sets `result` to the optimisation of generated units: -O2 in each configuration without optimisation, because a kernel
+# is five times slower without it, and debugging it is rarely useful. Other options, such as sanitizers, are kept.
 function(_robcogen_optimisation result)
   set(${result} "" PARENT_SCOPE)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$")
@@ -389,7 +389,8 @@ function(_robcogen_optimisation result)
   set(${result} "${options}" PARENT_SCOPE)
 endfunction()
 
-# The headers below `folder`, its include root, as a file set of the target, which can be installed; CMake 3.22 has none.
+# Adds the headers below `folder`, their include root, to the target as a file set, which can be installed. CMake 3.22 has
+# no file sets.
 function(_robcogen_add_headers target folder)
   set_property(TARGET ${target} PROPERTY ROBCOGEN_INCLUDE_ROOT ${folder})
   if(CMAKE_VERSION VERSION_LESS 3.23)
@@ -408,18 +409,18 @@ function(_robcogen_add_library target)
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
-  # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other passes
-  # that are off take a quarter of gcc's time without effect: straight-line code has no jumps, no values that depend on
-  # them and no dead stores, and processors reorder instructions themselves; where ordering pays,
-  # RobcogenProcessors.cmake has it. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers to
-  # the handlers, as clang does with assertions. Of kernels with thousands of values, gcc's search for registers takes
-  # half of the time when it looks at 500 values at once; with 100 the code is as fast. (One line: other files read it.)
+  # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other disabled
+  # passes take a quarter of gcc's time without effect: straight-line code has no jumps, no values that depend on
+  # them and no dead stores, and processors reorder instructions themselves; where scheduling is faster,
+  # RobcogenProcessors.cmake enables it. Without -fno-exceptions, gcc treats intrinsics as calls that may throw and refers
+  # to the handlers, as clang does with assertions. For kernels with thousands of values, register allocation takes half of
+  # gcc's time if it considers 500 values at once; with 100 the code is as fast. (One line: other files read it.)
   set(of_gcc -fno-tree-slp-vectorize -frename-registers -fno-tree-dse -fno-dse -fno-schedule-insns2 -fno-tree-pta -fno-tree-pre -fno-code-hoisting -fno-tree-dominator-opts -fno-thread-jumps -fno-tree-vrp -fno-exceptions --param=lra-max-considered-reload-pseudos=100)
   _robcogen_optimisation(optimisation)
   target_compile_options(
     ${target} PRIVATE ${optimisation} "$<$<CXX_COMPILER_ID:GNU>:${of_gcc}>"
                       "$<$<CXX_COMPILER_ID:Clang,AppleClang>:-fno-exceptions>" ${library_COMPILE_OPTIONS})
-  # One unit per algorithm: rebuilds are small and parallel.
+  # Each algorithm has its own unit, so that rebuilds are small and parallel.
   set_target_properties(
     ${target}
     PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
@@ -444,8 +445,8 @@ function(_robcogen_add_selfcheck target)
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
-# Sets `result` to whether ctest can run the programs of this library: a cross-built one needs an emulator, and one
-# outside of `all` is not built before ctest runs.
+# Sets `result` to whether ctest can run the programs of this library: a cross-built program needs an emulator, and a
+# program outside of `all` is not built before ctest runs.
 function(_robcogen_can_run result)
   set(${result} ON PARENT_SCOPE)
   if(library_EXCLUDE_FROM_ALL OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))

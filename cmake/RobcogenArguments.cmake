@@ -42,7 +42,7 @@ function(_robcogen_check_elements keyword)
   endforeach()
 endfunction()
 
-# The form of the elements; the generator knows functions and inputs.
+# Checks the form of the elements only; the generator checks functions and inputs.
 function(_robcogen_check_derivatives)
   foreach(element IN LISTS library_DERIVATIVES)
     if(NOT element MATCHES "^[^:,]+((\\.|::)[^:,]+)*:[A-Za-z_][A-Za-z0-9_]*(,[A-Za-z_][A-Za-z0-9_]*)*$")
@@ -58,13 +58,13 @@ function(_robcogen_check_file keyword file)
   endif()
 endfunction()
 
-# `keyword` is the one that names the document.
+# Checks that the documents exist. `keyword` is the keyword that names the model.
 function(_robcogen_check_documents keyword)
   _robcogen_check_file(${keyword} "${library_MODEL}")
   _robcogen_check_file(DESIRED "${library_DESIRED}")
 endfunction()
 
-# A generated namespace must differ from those that generated code uses.
+# A generated namespace must differ from the names that generated code uses.
 function(_robcogen_check_identifier keyword identifier)
   set(reserved
       alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl
@@ -80,7 +80,7 @@ function(_robcogen_check_identifier keyword identifier)
   if(identifier IN_LIST reserved)
     _robcogen_refuse("${keyword} '${identifier}' is a reserved word of the generated code")
   endif()
-  # The lists of these names of the generator; in an installed package they are in the folder of this file.
+  # The generator's lists of these names; in an installed package they are in the folder of this file.
   foreach(list macros.inc globals.inc)
     set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${list})
     if(NOT EXISTS ${file})
@@ -114,7 +114,7 @@ function(_robcogen_check_names)
   set_property(GLOBAL PROPERTY ROBCOGEN_OWNER_OF_${qualified} ${library_TARGET})
 endfunction()
 
-# Keywords about C++ alone would otherwise be ignored.
+# Refuses keywords that concern only C++ if the library has no C++; they would otherwise be ignored.
 function(_robcogen_check_cpp)
   if("cpp" IN_LIST library_LANGUAGES)
     return()

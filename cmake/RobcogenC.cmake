@@ -1,12 +1,12 @@
 # The library of a robot, or of transforms, in C99: LANGUAGES c of robcogen_add_robot and robcogen_add_transforms.
 #
 # Defines, for TARGET hyl, the static library hyl_c; #include <hyl_c/hyl_c.h>. It needs the mathematical functions of C and
-# nothing else. Its names begin with those of NAMESPACE and NAME: `NAME arm NAMESPACE left` is left_arm_inverse_dynamics of
+# nothing else. Its names begin with NAMESPACE and NAME: `NAME arm NAMESPACE left` gives left_arm_inverse_dynamics in
 # <left_arm_c/left_arm_c.h>.
 include_guard(GLOBAL)
 
 # With CASADI, also the shared library hyl_casadi, whose functions hyl_casadi_inverse_dynamics, … CasADi loads by `external`.
-# CMake enables a language at the top level of a file only.
+# This function cannot enable the language C: CMake does so at the top level of a file only.
 function(_robcogen_check_c)
   if(library_CASADI AND NOT "c" IN_LIST library_LANGUAGES)
     _robcogen_refuse("CASADI makes functions of the library in C: LANGUAGES must have c")
@@ -32,7 +32,7 @@ function(_robcogen_c_prefix result)
   set(${result} ${prefix}${library_NAME} PARENT_SCOPE)
 endfunction()
 
-# Sets c_headers, c_sources and c_casadi to the files of a library with these groups; to nothing where LANGUAGES has no c.
+# Sets c_headers, c_sources and c_casadi to the files of a library with these groups, or to nothing if LANGUAGES has no c.
 function(_robcogen_c_files groups)
   set(c_headers "")
   set(c_sources "")
@@ -43,7 +43,7 @@ function(_robcogen_c_files groups)
     set(c_headers ${folder}/${prefix}_c.h ${folder}/model.h)
     set(c_sources ${folder}/model.c)
     set(c_casadi ${folder}/casadi.c)
-    # Robots have a group of their parameters.
+    # Robots have a group for their parameters.
     if("${library_CALL}" STREQUAL "robcogen_add_robot")
       list(PREPEND groups parameters)
     endif()

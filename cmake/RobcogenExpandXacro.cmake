@@ -34,7 +34,7 @@ if(NOT status STREQUAL "0")
   message(FATAL_ERROR "${XACRO} cannot expand ${MODEL}: exit status ${status}")
 endif()
 
-# Names are separated by blanks: parts of a name with blanks are joined until they name a file.
+# Names are separated by blanks. The parts of a name that contains blanks are joined until they name a file.
 separate_arguments(words UNIX_COMMAND "${included}")
 set(rule "")
 set(name "")

@@ -1,14 +1,14 @@
 # robcogen_install_robots: installs robots as a CMake package of the calling project, which ROS 2 finds too.
 #
 #     robcogen_install_robots(
-#       TARGETS hyl hyl_c demo…     # libraries that robcogen_add_robot and robcogen_add_transforms made, and others of the project
-#                                   # that link them
+#       TARGETS hyl hyl_c demo…     # libraries that robcogen_add_robot and robcogen_add_transforms made, and other libraries of
+#                                   # the project that link them
 #       [PACKAGE name])             # without it, the name of the project
 #
-# Installs the libraries, their headers (file sets; with CMake 3.22, those of include roots), and
-#     lib/cmake/<PACKAGE>/          <PACKAGE>Config.cmake, which finds robcogen, and its version: the project's. Targets are
+# Installs the libraries, their headers (file sets; with CMake 3.22, those below include roots), and
+#     lib/cmake/<PACKAGE>/          <PACKAGE>Config.cmake, which finds robcogen, with the version of the project. Targets are
 #                                   <PACKAGE>::hyl, …
-#     share/<PACKAGE>/package.xml   where the project has one, and with it the marker of ament's index of packages
+#     share/<PACKAGE>/package.xml   if the project has one, together with the marker of ament's package index
 # so that a folder with a package.xml, whose build type is `cmake`, is a package of a colcon workspace without ament_cmake.
 include_guard(GLOBAL)
 
@@ -63,7 +63,7 @@ include(\${CMAKE_CURRENT_LIST_DIR}/@arg_PACKAGE@Targets.cmake)
   endif()
 endfunction()
 
-# Of the export set arg_PACKAGE.
+# Installs a library as part of the export set arg_PACKAGE.
 function(_robcogen_install_library target)
   set(places ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION
              ${CMAKE_INSTALL_BINDIR})

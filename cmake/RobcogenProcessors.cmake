@@ -1,10 +1,10 @@
 # The processors that generated code is compiled for.
 #
 # These functions read the variables library_<KEYWORD> of the calling function. A level is avx2 or avx512; the baseline is
-# what the options of the library say.
+# the processor that the options of the library select.
 
-# Sets `result` to the options for a level. (A variable of this file would not be seen by callers in a directory above the
-# one that includes it, as those of add_subdirectory(robcogen) are.)
+# Sets `result` to the options for a level. (A variable of this file would not be visible to callers in a directory above
+# the one that includes it, as with add_subdirectory(robcogen).)
 function(_robcogen_level_options level result)
   set(options -mavx2 -mfma)
   if(level STREQUAL "avx512")
@@ -22,9 +22,9 @@ function(_robcogen_has_levels result)
   endif()
 endfunction()
 
-# Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS; without it, avx2.
-# AVX-512 gains little for one state. None where options of the library or of the build choose a processor, or refuse
-# optimisation, or nothing is generated in C++.
+# Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS, or avx2 without it,
+# because AVX-512 gains little for one state. There are none if options of the library or of the build choose a processor
+# or disable optimisation, or if nothing is generated in C++.
 function(_robcogen_choose_levels)
   set(library_levels "" PARENT_SCOPE)
   set(levels avx2)
@@ -90,8 +90,8 @@ function(_robcogen_set_levels target)
   if(NOT has_levels)
     return()
   endif()
-  # clang fuses products and sums within one expression only, and not through the operators of a class. Square roots of
-  # lanes are inlined when they do not report errors.
+  # By default, clang fuses products and sums within one expression only, and not through the operators of a class. Square
+  # roots of lanes are inlined only if they do not report errors.
   set(batch "(batch/[a-z_]+|united/batch_[0-9]+)")
   set(all -fno-math-errno $<$<CXX_COMPILER_ID:Clang>:-ffp-contract=fast>)
   foreach(source IN LISTS sources)
@@ -101,8 +101,8 @@ function(_robcogen_set_levels target)
       _robcogen_level_options(${CMAKE_MATCH_3} options)
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${options} ${all})
     endif()
-    # gcc orders the instructions of the highest level's kernels by latency, as long as registers last: 4 % faster on average.
-    # Bodies over many states would take up to a half longer: there, registers do not last.
+    # gcc orders the instructions of the highest level's kernels by latency, as long as registers suffice: 4 % faster on
+    # average. Bodies over many states would take up to a half longer, because registers do not suffice for them.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
        AND (source MATCHES "/kernels_(avx2|avx512)\\.cpp$" OR (NOT library_levels AND NOT source MATCHES "/(batch|${batch}_[a-z0-9]+)\\.cpp$")))
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure -fschedule-insns2)

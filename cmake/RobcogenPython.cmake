@@ -1,7 +1,7 @@
 # The Python module of a robot: PYTHON of robcogen_add_robot.
 #
 # Defines, for TARGET hyl, the module hyl_python: hyl.abi3.so with its stub hyl.pyi in OUTPUT_DIR/python, importable by
-# every Python from 3.11 on. To build it takes the headers of one of them, and no package of Python.
+# every Python from 3.11 on. Building it needs the headers of one of these versions, and no Python package.
 include_guard(GLOBAL)
 
 # Finds Python, and adds the language that the generator prints to library_LANGUAGES.

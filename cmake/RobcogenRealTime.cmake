@@ -5,13 +5,13 @@
 # - It calls only the functions of the list below.
 # - Its kernels are straight-line code, without branches and loops: every call does the same operations. Large angles are
 #   the exception: a kernel in lanes first tests for them, and calls the code without lanes.
-# - The stack frames of its functions, which the compiler reports beside the object files (-fstack-usage), have constant or
-#   bounded size. A kernel calls only its core, in the same unit; a long kernel or core calls its parts, one after the
-#   other, which call no others; a body over many states calls a kernel. Therefore the largest frame of a body, the two
+# - The stack frames of its functions, which the compiler reports next to the object files (-fstack-usage), have constant or
+#   bounded size. A kernel calls only its core, in the same unit; a long kernel or core calls its parts one after the
+#   other, which call nothing else; a body over many states calls a kernel. Therefore the largest frame of a body, the two
 #   largest of kernels and cores, and the largest of a part bound the stack, except that of sines, cosines and roots. Their
 #   sum is at most STACK_LIMIT.
 #
-# A check that is impossible, without reports of the stack or without nm, is skipped with a message.
+# A check that is impossible, for lack of stack reports or of nm, is skipped with a message.
 cmake_minimum_required(VERSION 3.22...3.25)
 
 # Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection,
@@ -45,7 +45,7 @@ function(read_symbols result)
   set(${result} "${symbols}" PARENT_SCOPE)
 endfunction()
 
-# Also sets `is_instrumented`.
+# Checks the symbols that the library calls, and sets `is_instrumented`.
 function(check_symbols)
   set(is_instrumented OFF PARENT_SCOPE)
   if(NOT NM)
@@ -79,9 +79,9 @@ function(check_straight_lines)
   foreach(file IN LISTS files)
     file(READ ${file} text)
     string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" "" text "${text}")
-    # Limbs in lanes or one by one: the compiler decides, by the scalar type.
+    # Limbs in lanes or one by one: the compiler decides by the scalar type.
     string(REGEX REPLACE "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)]([^}]*)} else" "\\1}" text "${text}")
-    # Columns of limbs in lanes or one by one: likewise. What is chosen stands in lines that are further in.
+    # Columns of limbs in lanes or one by one: likewise. The lines of the chosen code are indented further.
     string(REGEX REPLACE
       "if constexpr [(]robcogen::kFillsLanes<Scalar, [0-9]+>[)] {((\n   [^\n]*)+)\n  } else {" "{\\1\n  } {" text "${text}")
     # A kernel in lanes first tests whether angles are small.
@@ -109,7 +109,7 @@ function(check_stack)
     endif()
     # `file:line:column:function<tab>bytes<tab>kind`
     file(READ ${report} text)
-    # From names of functions, as gcc and clang write them, only part or body is kept.
+    # Of function names, as gcc and clang write them, only `part` or `body` is kept.
     string(REGEX REPLACE "[^\n]*(kernel::[^\n\t]*parts::|6kernel[^\n\t]*5parts)[^\n\t]*\t" "part\t" text "${text}")
     string(REGEX REPLACE "[^\n]*(batch::body::|5batch4body)[^\n\t]*\t" "body\t" text "${text}")
     string(REGEX MATCHALL "(part|body)?\t[0-9]+\t[a-z,]+" lines "${text}")

@@ -1,9 +1,9 @@
 # Finds the generator, in the source tree and in an installed package.
 #
-# In this order: an existing target robcogen::robcogen; the executable that ROBCOGEN_HOST_TOOL names; in a native build the
-# executable of the package; in a cross build a robcogen of this version on the PATH.
+# It is the first of these: an existing target robcogen::robcogen; the executable that ROBCOGEN_HOST_TOOL names; in a native
+# build the executable of the package; in a cross build a robcogen of this version on the PATH.
 
-# Sets `result` to the version that `candidate --version` reports, or to "none" when it does not run.
+# Sets `result` to the version that `candidate --version` reports, or to "none" if it does not run.
 function(_robcogen_tool_version candidate result)
   execute_process(
     COMMAND ${candidate} --version
@@ -39,13 +39,13 @@ function(_robcogen_import_tool path)
   set_target_properties(robcogen::robcogen PROPERTIES IMPORTED_LOCATION "${path}")
 endfunction()
 
-# Defines robcogen::robcogen when an executable is found.
+# Defines robcogen::robcogen if an executable is found.
 function(_robcogen_find_tool)
   if(TARGET robcogen::robcogen)
     return()
   endif()
   if(CMAKE_CROSSCOMPILING)
-    # Searches only when the variable is not set.
+    # This searches only if the variable is not set.
     find_program(
       ROBCOGEN_HOST_TOOL robcogen
       VALIDATOR _robcogen_refuse_other_version

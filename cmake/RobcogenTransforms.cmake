@@ -7,7 +7,7 @@
 #       TRANSFORMS euler.ctdsl      # coordinate transforms as products of primitive ones
 #       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
 #       [DERIVATIVES function:input…]
-#                                   # derivatives by `variables` and `parameters`: transforms.homogeneous.A_X_B:variables
+#                                   # derivatives by `variables` or `parameters`: transforms.homogeneous.A_X_B:variables
 #       [NAME ident] [NAMESPACE a::b] [DOUBLE_ONLY] [LANGUAGES cpp …] [PYTHON] [CASADI] [DEPENDS file|target…]
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])

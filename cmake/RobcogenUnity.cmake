@@ -1,8 +1,8 @@
-# Compiles several units of a robot at once, where the build asks for it with ROBCOGEN_UNITY_ROBOTS: most units of a small robot
-# take longer for the headers that they include than for their own text.
+# Compiles several units of a robot at once if ROBCOGEN_UNITY_ROBOTS is on: most units of a small robot take longer for the
+# headers that they include than for their own text.
 
-# Replaces units for the same processor in `sources`, of the calling function, by units that include up to eight of them.
-# The units that select kernels (batch.cpp) or compile all of them (kernels_<level>.cpp), and the parameters, stay.
+# Replaces units for the same processor in `sources` of the calling function by units that include up to eight of them.
+# Units that select kernels (batch.cpp) or compile all of them (kernels_<level>.cpp), and the parameters, stay separate.
 function(_robcogen_unite_sources folder)
   if(NOT ROBCOGEN_UNITY_ROBOTS)
     return()
@@ -31,7 +31,7 @@ function(_robcogen_unite_sources folder)
   set(sources ${result} PARENT_SCOPE)
 endfunction()
 
-# Sets `result` to the files <first>_<number><last>, which include the others, `size` at a time.
+# Sets `result` to the files <first>_<number><last>, which include the files of the other arguments, `size` at a time.
 function(_robcogen_unite result first last size)
   set(left ${ARGN})
   set(united "")

@@ -1,6 +1,6 @@
 # The page that shows a robot and moves it: the target <robot>_view of robcogen_add_robot, which `all` does not contain.
 
-# Adds the target. Of OPTIONS it takes those that say how a URDF is read.
+# Adds the target. It takes only those OPTIONS that affect how a URDF is read.
 function(_robcogen_add_view target)
   set(arguments "")
   foreach(dir IN LISTS library_IMPORT_DIRS)
@@ -18,7 +18,7 @@ function(_robcogen_add_view target)
   endforeach()
   list(REMOVE_DUPLICATES options)
   set(page ${library_OUTPUT_DIR}/${library_NAME}.html)
-  # It always runs, once the model is there: a page that would not change is left as it is.
+  # The command always runs, after the model exists; a page that would not change is left as it is.
   add_custom_target(
     ${target}
     COMMAND robcogen::robcogen view ${library_MODEL} -o ${page} ${arguments} ${options}

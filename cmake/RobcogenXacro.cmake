@@ -1,7 +1,7 @@
 # A robot from xacro: robcogen_add_robot(… MODEL arm.urdf.xacro XACRO_ARGS length:=0.7).
 #
-# The program is the one that ROBCOGEN_XACRO names, else the xacro on the PATH. Included files are dependencies
-# of the build, which are found at each expansion: the configuration does not run xacro.
+# The program is the one that ROBCOGEN_XACRO names, otherwise the xacro on the PATH. Included files are dependencies of the
+# build, which are found at each expansion, because the configuration does not run xacro.
 
 # Sets `result` to whether this file needs xacro.
 function(_robcogen_is_xacro file result)
@@ -22,7 +22,7 @@ and source its setup.bash) or set ROBCOGEN_XACRO to its path")
   endif()
 endfunction()
 
-# Adds the rule that expands library_MODEL, and makes the result library_MODEL.
+# Adds the rule that expands library_MODEL, and sets library_MODEL to the result.
 function(_robcogen_expand_xacro)
   _robcogen_require_xacro()
   cmake_path(GET library_MODEL STEM LAST_ONLY stem)

@@ -52,7 +52,7 @@ run() {
   "$@"
 }
 
-# Every CMake below, also in the tests, takes the compiler cache from the environment.
+# Every CMake run below, including those of the tests, takes the compiler cache from the environment.
 use_compiler_cache() {
   if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}

@@ -1,4 +1,4 @@
-# Removes what the last `cmake --install` of a build put down, and folders that are empty then.
+# Removes the files that the last `cmake --install` of a build installed, and folders that are then empty.
 #
 # cmake -D MANIFEST=build/install_manifest.txt -P uninstall.cmake
 cmake_minimum_required(VERSION 3.22)
@@ -15,7 +15,7 @@ foreach(file IN LISTS files)
 endforeach()
 file(REMOVE "${MANIFEST}")
 
-# Folders with nothing left in them, and those around them.
+# Removes empty folders, and their parents if these are then empty.
 list(REMOVE_DUPLICATES folders)
 foreach(folder IN LISTS folders)
   file(GLOB content "${folder}/*")

@@ -1,4 +1,4 @@
-// DART: recursive Newton-Euler, articulated bodies, and a mass matrix of unit accelerations.
+// DART: recursive Newton-Euler, articulated bodies, and a mass matrix from unit accelerations.
 #include <algorithm>
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
@@ -21,8 +21,7 @@ using dart::dynamics::Joint;
 using dart::dynamics::SkeletonPtr;
 using dart::utils::DartLoader;
 
-// DART takes a link without <inertial> for one of 1 kg, or with the mass given here; its setter requires a positive
-// mass.
+// DART gives a link without <inertial> a mass of 1 kg, or the mass given here; its setter requires a positive mass.
 SkeletonPtr skeleton_of(const Subject& subject) {
   DartLoader::Options options;
   options.mDefaultRootJointType =
@@ -33,8 +32,8 @@ SkeletonPtr skeleton_of(const Subject& subject) {
   return skeleton;
 }
 
-// A frame that hangs on a fixed joint, carries nothing and is not needed: DART would compute its motion all the
-// same.
+// Whether a body is a frame on a fixed joint that carries nothing and is not needed. DART would compute its motion
+// nevertheless.
 bool is_idle(BodyNode& body, const Subject& subject) {
   return body.getNumChildBodyNodes() == 0 && body.getMass() == 0 && body.getName() != subject.link &&
          body.getParentJoint()->getType() == dart::dynamics::WeldJoint::getStaticType();
@@ -47,7 +46,7 @@ void remove_idle_frames(const SkeletonPtr& skeleton, const Subject& subject) {
   }
 }
 
-// Nothing but rigid bodies and ideal joints.
+// Removes everything except rigid bodies and ideal joints.
 void idealize(const SkeletonPtr& skeleton) {
   for (std::size_t i = 0; i < skeleton->getNumJoints(); ++i) {
     Joint& joint = *skeleton->getJoint(i);
@@ -69,8 +68,8 @@ std::size_t base_index(const SkeletonPtr& skeleton) {
   throw std::runtime_error("makes no floating base of the URDF");
 }
 
-// The velocity of a free joint is the twist of its body in the axes of the body, angular first: at the origin, where
-// the base is here, that of generated code; the same holds for accelerations and wrenches.
+// The velocity of a free joint is the twist of its body in the axes of the body, angular first. The base is at the
+// origin here, so it equals that of generated code; the same holds for accelerations and wrenches.
 Order order_of(const SkeletonPtr& skeleton, const Subject& subject) {
   Order order;
   if (subject.floating_base) {
@@ -161,7 +160,7 @@ class Dart : public Peer {
   }
 
  private:
-  // DART's has columns for the coordinates that the body depends on only.
+  // DART's Jacobian has only the columns of the coordinates that the body depends on.
   Eigen::MatrixXd jacobian() const {
     const auto& narrow = body_->getWorldJacobian();
     const Eigen::Index size = static_cast<Eigen::Index>(skeleton_->getNumDofs());

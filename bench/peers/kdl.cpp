@@ -1,5 +1,5 @@
-// KDL (Orocos): recursive Newton-Euler on trees; on chains also composite inertia and forward dynamics. It reads no
-// URDF itself: urdfdom reads it, and the links become segments here.
+// KDL (Orocos): recursive Newton-Euler on trees; on chains also composite inertia and forward dynamics. KDL does not
+// read URDF itself: urdfdom reads it, and the links are converted to segments here.
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -46,7 +46,7 @@ KDL::Joint joint(const urdf::Joint& joint, const KDL::Frame& pose) {
   }
 }
 
-// URDF's tensor has the axes of the inertial frame, KDL's those of the link.
+// URDF's tensor is in axes of the inertial frame, KDL's in those of the link.
 KDL::RigidBodyInertia inertia(const urdf::Link& link) {
   if (!link.inertial) return KDL::RigidBodyInertia::Zero();
   const urdf::Inertial& body = *link.inertial;
@@ -60,7 +60,8 @@ KDL::RigidBodyInertia inertia(const urdf::Link& link) {
       KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
-// A frame that hangs on a fixed joint, carries nothing and is not needed: KDL would compute its motion all the same.
+// Whether a link is a frame on a fixed joint that carries nothing and is not needed. KDL would compute its motion
+// nevertheless.
 bool is_idle(const urdf::Link& link, const Subject& subject) {
   const bool is_massless = !link.inertial || link.inertial->mass == 0;
   return link.child_links.empty() && is_massless && link.name != subject.link &&
@@ -87,7 +88,7 @@ KDL::Tree tree_of(const Subject& subject) {
   return tree;
 }
 
-// For the joints that move.
+// The order of the joints that move.
 Order order_of(const Subject& subject, const std::vector<std::string>& theirs) {
   if (theirs.size() != subject.joints.size()) throw std::runtime_error("finds other joints in the URDF");
   Order order;
@@ -218,7 +219,7 @@ std::vector<std::string> joint_names(const KDL::Chain& chain) {
   return names;
 }
 
-// How many segments reach to the end of this one; zero when there is none.
+// Number of segments up to and including this one; zero if there is none.
 int segments_up_to(const KDL::Chain& chain, const std::string& link) {
   const auto is_it = [&](const KDL::Segment& segment) { return segment.getName() == link; };
   const auto found = std::find_if(chain.segments.begin(), chain.segments.end(), is_it);

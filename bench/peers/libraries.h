@@ -1,14 +1,14 @@
-// Within this folder: how each library is loaded.
+// Internal to this folder: how each library is loaded.
 #pragma once
 
 #include "peers/peer.h"
 
 namespace robcogen::peers {
 
-// Throws a std::exception with the reason when the library cannot represent the robot.
+// Throws a std::exception with the reason if the library cannot represent the robot.
 using Load = std::unique_ptr<Peer>(const Subject& subject);
 
-// Null where the library was not found.
+// Null if the library was not found.
 #ifdef ROBCOGEN_HAS_KDL
 Load load_kdl_tree, load_kdl_chain;
 #else

@@ -30,8 +30,8 @@ using FilesPtr = std::unique_ptr<mjVFS, Deleter>;
 // in the results.
 void ignore(const char*) {}
 
-// Links on fixed joints are fused, as MuJoCo would by default. The only shape left in the URDF is a point at the origin
-// of the link in question: it survives the fusion. A floating joint is added where the URDF has none.
+// Links on fixed joints are fused, as MuJoCo does by default. The only shape left in the URDF is a point at the origin
+// of the subject's link, which survives the fusion. A floating joint is added if the URDF has none.
 std::string text_for_mujoco(const Subject& subject) {
   std::string urdf = dynamics_text(subject.urdf);
   if (!subject.link.empty()) {
@@ -69,7 +69,7 @@ int free_joint(const mjModel& model) {
   throw std::runtime_error("makes no floating base of the URDF");
 }
 
-// The velocity of a free joint is that of the origin, then the angular one.
+// The velocity of a free joint is the velocity of the origin, then the angular velocity.
 Order order_of(const mjModel& model, const Subject& subject) {
   Order order;
   if (subject.floating_base) {
@@ -85,8 +85,8 @@ Order order_of(const mjModel& model, const Subject& subject) {
   return order;
 }
 
-// The difference of the acceleration of a free joint, that of a point at the base's origin, and the spatial
-// acceleration (Featherstone 2008, sec. 2.11).
+// The difference between the acceleration of a free joint, which is that of the point at the base's origin, and the
+// spatial acceleration (Featherstone 2008, sec. 2.11).
 Eigen::Matrix<double, 6, 1> excess_acceleration(const State& s) {
   const Eigen::Vector3d w = s.base_velocity.head<3>(), v = s.base_velocity.tail<3>();
   Eigen::Matrix<double, 6, 1> excess;
@@ -127,8 +127,8 @@ class Mujoco : public Peer {
     }
   }
 
-  // All stages of MuJoCo that lead from the state to the quantity, and no others: mj_forward and mj_inverse would also
-  // look for contacts and compute sensors, tendons, actuators and the constraints' forces.
+  // Runs only the stages of MuJoCo that lead from the state to the quantity: mj_forward and mj_inverse would also look
+  // for contacts and compute sensors, tendons, actuators and the constraints' forces.
   void run(Quantity quantity, std::size_t state) override {
     const Arguments& s = states_[state];
     state_ = state;
@@ -183,7 +183,7 @@ class Mujoco : public Peer {
  private:
   static void copy(const Eigen::VectorXd& from, mjtNum* to) { std::copy(from.data(), from.data() + from.size(), to); }
 
-  // The base is at the origin: 0 0 0 and the quaternion 1 0 0 0.
+  // The base is at the origin: position 0 0 0 and quaternion 1 0 0 0.
   Eigen::VectorXd positions(const Eigen::VectorXd& q) const {
     Eigen::VectorXd qpos = Eigen::VectorXd::Zero(model_->nq);
     if (floating_) qpos(model_->jnt_qposadr[free_joint(*model_)] + 3) = 1;
@@ -195,14 +195,14 @@ class Mujoco : public Peer {
     return qpos;
   }
 
-  // MuJoCo's is sparse.
+  // MuJoCo's matrix is sparse.
   Eigen::MatrixXd inertia_matrix() const {
     Eigen::MatrixXd H(model_->nv, model_->nv);
     mj_fullM(model_.get(), H.data(), data_->qM);
     return matrix_from_library(order_, H);
   }
 
-  // Of the only shape.
+  // The pose of the only shape.
   Eigen::MatrixXd pose() const {
     Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
     X.topLeftCorner<3, 3>() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->geom_xmat);
@@ -222,7 +222,7 @@ class Mujoco : public Peer {
   bool has_link_;
   std::vector<Arguments> states_;
   std::size_t state_ = 0;   // of the last run
-  Eigen::VectorXd vector_;  // what the last run made of it
+  Eigen::VectorXd vector_;  // result of the last run
   Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> J_;
 };
 

@@ -1,11 +1,11 @@
-// Within this folder: the coordinates of a library against those of generated code.
+// Internal to this folder: conversion between the coordinates of a library and those of generated code.
 #pragma once
 
 #include "peers/peer.h"
 
 namespace robcogen::peers {
 
-// (base, joints) for a floating base, else the joints alone.
+// (base, joints) for a floating base, otherwise only the joints.
 inline Eigen::VectorXd coordinates(
     bool floating,
     const Eigen::Matrix<double, 6, 1>& base,
@@ -16,7 +16,7 @@ inline Eigen::VectorXd coordinates(
   return all;
 }
 
-// For each coordinate in the order of generated code, the base's angular ones first, its place in the library.
+// For each coordinate in the order of generated code, with the base's angular ones first, its index in the library.
 using Order = std::vector<Eigen::Index>;
 
 inline Eigen::VectorXd to_library(const Order& order, const Eigen::VectorXd& ours) {
@@ -30,7 +30,7 @@ inline Eigen::MatrixXd vector_from_library(const Order& order, const Eigen::Vect
   return theirs(order);
 }
 
-// A matrix of both coordinates.
+// A matrix whose rows and columns are coordinates.
 inline Eigen::MatrixXd matrix_from_library(const Order& order, const Eigen::MatrixXd& theirs) {
   return theirs(order, order);
 }

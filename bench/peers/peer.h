@@ -9,9 +9,9 @@
 
 namespace robcogen::peers {
 
-// In the conventions of generated code: joints in the order of Subject::joints, rad and m; spatial vectors angular
-// first, in base coordinates about the base's origin; base acceleration is spatial, gravity not included. With a fixed
-// base the base's vectors are ignored. The base frame coincides with the world's.
+// A state in the conventions of generated code: joints in the order of Subject::joints, rad and m; spatial vectors
+// angular first, in base coordinates about the base's origin; the base acceleration is spatial, gravity not included.
+// With a fixed base, the base's vectors are ignored. The base frame coincides with the world frame.
 struct State {
   Eigen::VectorXd q, qd, qdd, tau;
   Eigen::Matrix<double, 6, 1> base_velocity, base_acceleration;
@@ -29,13 +29,13 @@ constexpr bool is_of_link(Quantity quantity) {
   return quantity == Quantity::jacobian || quantity == Quantity::transform;
 }
 
-// The robot, and the link in question.
+// The robot, and the link of Jacobian and transform.
 struct Subject {
   std::string urdf;                 // path
   std::vector<std::string> joints;  // names, in the order of joint vectors
   bool floating_base = false;
   Eigen::Vector3d gravity = {0, 0, -9.81};  // m/s^2, base coordinates
-  std::string link;                         // URDF link of Jacobian and transform; empty: none is asked for
+  std::string link;                         // URDF link of Jacobian and transform; empty: neither is wanted
 };
 
 class Peer {
@@ -43,11 +43,11 @@ class Peer {
   virtual ~Peer() = default;
   virtual std::string name() const = 0;  // as its users write it: "KDL", "KDL chain", "MuJoCo"
   virtual bool has(Quantity quantity) const = 0;
-  // Takes the states over into the peer's own representation.
+  // Converts the states to the peer's own representation.
   virtual void prepare(const std::vector<State>& states) = 0;
-  // The peer's own computation for one of the prepared states, and nothing else: this is the timed part.
+  // Runs the peer's own computation for one of the prepared states, and nothing else: this is the timed part.
   virtual void run(Quantity quantity, std::size_t state) = 0;
-  // Of the last run, in the conventions above: a column, or a matrix.
+  // The result of the last run, in the conventions above: a column, or a matrix.
   virtual Eigen::MatrixXd result(Quantity quantity) const = 0;
 };
 
@@ -59,8 +59,8 @@ struct Candidate {
   std::string reason;          // "not installed", "has no floating base", …
 };
 
-// One entry for each library that is known, in a fixed order, installed or not; a library may have several (KDL's
-// chains and trees).
+// One entry for each known library, in a fixed order, installed or not; a library may have several (KDL's chains and
+// trees).
 std::vector<Candidate> load(const Subject& subject);
 
 }  // namespace robcogen::peers

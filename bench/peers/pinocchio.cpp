@@ -21,7 +21,7 @@ bool is_floating(const pinocchio::JointModel& joint) {
   return joint.shortname() == pinocchio::JointModelFreeFlyer::classname();
 }
 
-// A floating joint is added where the URDF has none.
+// A floating joint is added if the URDF has none.
 pinocchio::Model model_of(const Subject& subject) {
   const std::string urdf = dynamics_text(subject.urdf);
   pinocchio::Model model;
@@ -45,7 +45,7 @@ const pinocchio::JointModel& joint_of(const pinocchio::Model& model, const std::
   return model.joints[model.getJointId(name)];
 }
 
-// A floating joint's velocity is its link's twist, linear first, in the axes of the link.
+// The velocity of a floating joint is its link's twist, linear first, in the axes of the link.
 Order order_of(const pinocchio::Model& model, const Subject& subject) {
   Order order;
   if (subject.floating_base) {
@@ -116,7 +116,7 @@ class Pinocchio : public Peer {
         return vector_from_library(order_, data_.tau);
       case Quantity::forward_dynamics:
         return vector_from_library(order_, data_.ddq);
-      case Quantity::inertia_matrix:  // the upper triangle is computed
+      case Quantity::inertia_matrix:  // Pinocchio computes the upper triangle only
         return matrix_from_library(order_, data_.M.selfadjointView<Eigen::Upper>());
       case Quantity::transform:
         return data_.oMf[link_].toHomogeneousMatrix();
@@ -129,7 +129,7 @@ class Pinocchio : public Peer {
   }
 
  private:
-  // The base is at the origin; joints without limits have cosine and sine for a position.
+  // The base is at the origin; the position of a joint without limits is its cosine and sine.
   Eigen::VectorXd positions(const Eigen::VectorXd& q) const {
     Eigen::VectorXd result = pinocchio::neutral(model_);
     for (std::size_t j = 0; j < subject_.joints.size(); ++j) {

@@ -1,5 +1,5 @@
-// RBDL: recursive Newton-Euler, articulated bodies, composite rigid bodies. Its URDF reader makes Euler angles of a
-// floating base, which are not a spatial acceleration; fixed bases only.
+// RBDL: recursive Newton-Euler, articulated bodies, composite rigid bodies. Fixed bases only: its URDF reader
+// represents a floating base by Euler angles, whose second derivatives are not a spatial acceleration.
 #include <rbdl/addons/urdfreader/urdfreader.h>
 #include <rbdl/rbdl.h>
 

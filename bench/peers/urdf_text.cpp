@@ -10,7 +10,7 @@ namespace robcogen::peers {
 
 namespace {
 
-// From each `begin` to the next `end`.
+// Erases the text from each `begin` to the next `end`.
 void erase_all(std::string& text, const std::string& begin, const std::string& end) {
   std::size_t from = 0;
   while ((from = text.find(begin, from)) != std::string::npos) {
@@ -27,7 +27,7 @@ void erase_elements(std::string& urdf, const std::string& name) {
 // The position of a start tag in the text, without its `>`.
 struct Tag {
   std::size_t begin, end;
-  std::string value;  // of the attribute that was asked for
+  std::string value;  // of the requested attribute
 };
 
 // All start tags of this name that have the attribute.

@@ -1,4 +1,4 @@
-// What generate_cppadcodegen.cpp made for one robot, with Pinocchio and CppADCodeGen. Compiled once a robot, with
+// Code that generate_cppadcodegen.cpp made for one robot, with Pinocchio and CppADCodeGen. Compiled once per robot with
 //     ROBCOGEN_RIVAL_CODE   the file, in quotes
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-// C++ that the first RobCoGen generated for one robot, with its runtime iit::rbd. Compiled once a robot, with
+// C++ code that the first RobCoGen generated for one robot, with its runtime iit::rbd. Compiled once per robot, with
 //     ROBCOGEN_RIVAL_NAMESPACE   the namespace of the generated code, `rcg::Quadruped`
 // and the folder of that code as include directory.
 #include <traits.h>
@@ -19,7 +19,7 @@ constexpr int kJoints = Traits::joints_count;
 constexpr bool kFloating = Traits::floating_base;
 constexpr int kBase = kFloating ? 6 : 0;
 
-// It rounds every number of the document to single precision.
+// The first RobCoGen rounds every number of the document to single precision.
 constexpr double kSinglePrecision = 1e-4;
 
 struct Arguments {
@@ -27,7 +27,7 @@ struct Arguments {
   Vector6 base_velocity, base_acceleration;
 };
 
-// Its objects hold the transforms that their functions fill; vectors are angular first, as here.
+// The objects of its code hold the transforms that their functions fill; vectors are angular first, as here.
 template <class T>
 class Robot {
  public:

@@ -1,14 +1,14 @@
-// Generates code for one robot by Pinocchio and CppADCodeGen, with the arguments and results of this project's
+// Generates code for one robot with Pinocchio and CppADCodeGen. It has the arguments and results of this project's
 // functions, so that neither side converts:
 //     generate_cppadcodegen ROBOT.urdf ROBOT.inc JOINT…
-// The joints are in the order of joint vectors. `--floating` in front of them: the base floats, by a joint
-// of the URDF or by one that is added.
+// The joints are in the order of joint vectors. With `--floating` before them, the base floats, by a joint of the URDF
+// or by one that is added.
 #include <cmath>
 #include <cppad/cg.hpp>
 #include <fstream>
 #include <iostream>
 #include <pinocchio/codegen/cppadcg.hpp>
-// After that.
+// These headers must follow the one above.
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
@@ -27,8 +27,8 @@ using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 struct Robot {
   pinocchio::ModelTpl<Scalar> model;
-  std::vector<int> order;      // of velocities: for each coordinate of ours, the base's angular ones first, its place
-  std::vector<int> places;     // of positions, by joint
+  std::vector<int> order;      // index in velocities of each of our coordinates, the base's angular ones first
+  std::vector<int> places;     // index in positions of each joint
   std::vector<bool> is_angle;  // its position is a cosine and a sine
   bool floating;
   int joints;
@@ -38,7 +38,7 @@ struct Robot {
     for (int k = 0; k < model.nv; ++k) theirs[order[static_cast<std::size_t>(k)]] = ours[k];
     return theirs;
   }
-  // The base coincides with the world.
+  // The base frame coincides with the world frame.
   Vector positions(const Vector& ours) const {
     Vector theirs = Vector::Zero(model.nq);
     if (floating) theirs[6] = 1;  // of the quaternion
@@ -73,12 +73,12 @@ Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool
     pinocchio::urdf::buildModelFromXML(text.str(), pinocchio::JointModelFreeFlyer(), model);
   else
     pinocchio::urdf::buildModelFromXML(text.str(), model);
-  // What rounding leaves of the zeros of right angles would be arithmetic.
+  // Rounding errors of the zeros of right angles would become arithmetic.
   for (pinocchio::SE3& placement : model.jointPlacements)
     placement.rotation() = placement.rotation().unaryExpr(
         [](double e) { return std::abs(e - std::round(e)) < 1e-12 ? std::round(e) : e; });
   Robot robot{model.cast<Scalar>(), {}, {}, {}, floating, static_cast<int>(joints.size())};
-  // A floating joint is the first one; its velocity is a twist, linear first.
+  // A floating joint comes first; its velocity is a twist, linear first.
   if (floating) robot.order = {3, 4, 5, 0, 1, 2};
   for (const std::string& joint : joints) {
     if (!model.existJointName(joint)) throw std::runtime_error("no joint '" + joint + "' in the URDF");
@@ -91,7 +91,7 @@ Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool
   return robot;
 }
 
-// Arguments one after the other.
+// Takes arguments from a vector, one after the other.
 class Arguments {
  public:
   explicit Arguments(const Vector& all) : all_(all) {}
@@ -107,13 +107,13 @@ class Arguments {
 
 template <class Function>
 void generate(std::ostream& out, const std::string& name, int inputs, const Function& function) {
-  // At no special position: a branch of the algorithm is recorded as it is taken here.
+  // Any position without special values, because branches of the algorithm are recorded as they are taken here.
   Vector x(inputs);
   for (int i = 0; i < inputs; ++i) x[i] = Scalar(Code(0.1 + 0.01 * i));
   CppAD::Independent(x);
   const Vector y = function(Arguments(x));
   CppAD::ADFun<Code> tape(x, y);
-  // Pivots are those of this position.
+  // Pivots are chosen at this position, so comparisons are removed.
   tape.optimize("no_compare_op");
   CppAD::cg::CodeHandler<double> handler;
   CppAD::vector<Code> variables(static_cast<std::size_t>(inputs));
@@ -122,7 +122,7 @@ void generate(std::ostream& out, const std::string& name, int inputs, const Func
   CppAD::cg::LanguageC<double> language("double");
   language.setGenerateFunction("call");
   CppAD::cg::LangCDefaultVariableNameGenerator<double> names;
-  // Each repeats declarations.
+  // A namespace for each function, because each repeats declarations.
   out << "namespace " << name << " {\n";
   handler.generateCode(out, language, results, names);
   out << "}\n";

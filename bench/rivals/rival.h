@@ -1,5 +1,5 @@
-// Code that other generators made for one robot, behind an interface of plain numbers: it is compiled with flags of its
-// own, into a library of its own, so that nothing of its inline functions is shared with the benchmark.
+// Code that other generators made for one robot, behind an interface of plain numbers. It is compiled with its own
+// flags into its own library, so that it does not share inline functions with the benchmark.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ constexpr int kFunctions = 3;
 
 struct Rival {
   const char* name;  // "first RobCoGen"
-  double agreement;  // with which it agrees with this project's code: that of the numbers of its model
+  double agreement;  // tolerance against this project's code, given by the precision of its model's numbers
   int joints;
   bool floating_base;
   void (*prepare)(const States&);
@@ -30,7 +30,7 @@ struct Rival {
 
 }  // namespace robcogen::rivals
 
-// What the libraries of one robot export.
+// The functions that the libraries of one robot export.
 extern "C" {
 [[gnu::visibility("default")]] const robcogen::rivals::Rival* robcogen_rival_first_robcogen();
 [[gnu::visibility("default")]] const robcogen::rivals::Rival* robcogen_rival_cppadcodegen();

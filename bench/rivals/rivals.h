@@ -1,4 +1,4 @@
-// Code that other generators made, as peers of the benchmark of the robot that it was made for.
+// Code that other generators made for a robot, as peers in the benchmark of that robot.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace robcogen::rivals {
 
 struct Rival;
 
-// The peer, or the reason why the code is not of this robot.
+// The peer, or the reason why the code does not belong to this robot.
 peers::Candidate candidate(const Rival& rival, const peers::Subject& subject);
 
 }  // namespace robcogen::rivals

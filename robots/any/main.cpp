@@ -2,8 +2,8 @@
 //
 //   any_robot ROBOT [SECONDS]
 //
-// The joints go to half a radian (or metre) by computed torque. A fixed base does not move; a floating one falls, and
-// turns as the motion of the joints makes it.
+// The joints go to half a radian (or metre) by computed torque. A fixed base does not move; a floating base falls, and
+// the motion of the joints turns it.
 #include <centaur/centaur.h>
 #include <centaur/reflection.h>
 #include <hyl/hyl.h>
@@ -25,7 +25,7 @@ namespace {
 
 using robcogen::AnyRobot, robcogen::make_any;
 
-// The registry is the program's own business.
+// The program keeps its own registry of robots.
 const AnyRobot* find_robot(const char* name) {
   static const AnyRobot robots[] = {
       make_any<hyl::Robot>(hyl::reflection::robot), make_any<puma560::Robot>(puma560::reflection::robot),

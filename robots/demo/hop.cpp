@@ -11,8 +11,8 @@ namespace {
 
 using hyl::JointState;
 
-// Ground: upwards a spring whose stiffness grows with the speed of sinking (so the force starts at zero), forwards a
-// damper whose force stays within the friction cone.
+// The ground acts upwards as a spring whose stiffness grows with the speed of sinking (so the force starts at zero),
+// and forwards as a damper whose force stays within the friction cone.
 constexpr double kGroundStiffness = 5e4;  // N/m
 constexpr double kGroundDamping = 1.5;    // s/m
 constexpr double kSlipDamping = 400;      // N s/m
@@ -66,7 +66,7 @@ JointState control(const State& state) {
 }
 
 JointState acceleration(const State& state) {
-  // The wrench of the ground about the base origin, in base axes; then on the lower leg, in its coordinates.
+  // The wrench of the ground about the base origin, in base axes, and then in coordinates of the lower leg.
   const Eigen::Vector3d force = ground_force(state);
   Eigen::Matrix<double, 6, 1> wrench;
   wrench << foot_position(state.q).cross(force), force;

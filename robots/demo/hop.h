@@ -15,7 +15,7 @@ struct Instant {
   double ground_force;  // N, vertical
 };
 
-// `duration` in seconds; one instant every 4 ms. The ground is the plane z = 0 of the base frame.
+// Simulates for `duration` (s) and returns one instant every 4 ms. The ground is the plane z = 0 of the base frame.
 std::vector<Instant> hop(double duration);
 
 // Weight of the whole robot, N.

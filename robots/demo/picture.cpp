@@ -14,8 +14,8 @@ using svg::circle, svg::fill, svg::fixed, svg::label, svg::line, svg::Point, svg
 // Layout, in pixels of the picture. A metre is as long forwards as upwards, so that the leg keeps its shape.
 constexpr double kWidth = 1060;
 constexpr double kHeight = 530;
-constexpr double kLeft = 70;           // where time 0 is
-constexpr double kRight = 970;         // where the time ends
+constexpr double kLeft = 70;           // at time 0
+constexpr double kRight = 970;         // at the end
 constexpr double kFigureRight = 1050;  // the last leg needs room
 constexpr double kGround = 340;        // height 0
 constexpr double kPixelsPerMetre = 340;
@@ -23,7 +23,7 @@ constexpr double kForceZero = 490;
 constexpr double kForceTop = 405;
 constexpr double kFigureInterval = 0.06;  // s between two stick figures
 
-// Middle tones, as kInk.
+// Middle tones, like kInk.
 using svg::kInk;
 constexpr const char* kHip = "#2a7ad8";
 constexpr const char* kFoot = "#d05a1e";
@@ -77,7 +77,7 @@ std::string stick_figure(const Axes& axes, const Instant& instant) {
   const Point hip = axes.at(instant.time, instant.hip);
   const Point knee = axes.at(instant.time, instant.knee);
   const Point foot = axes.at(instant.time, instant.foot);
-  // Figures on the ground are drawn in full, those in the air paler.
+  // Figures in the air are paler than those on the ground.
   const std::string opacity = instant.ground_force > 0 ? "opacity=\"1\"" : "opacity=\"0.6\"";
   return "<g " + opacity + ">" +
          polyline(

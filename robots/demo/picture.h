@@ -8,8 +8,8 @@
 
 namespace demo {
 
-// Stick figures of the leg over time with the paths of hip and foot, and below them the force of the ground. Text of a
-// complete SVG file; no background, and colours that can be read on white and on black.
+// Draws stick figures of the leg over time with the paths of hip and foot, and below them the force of the ground.
+// Returns the text of a complete SVG file without background, in colours that can be read on white and on black.
 std::string picture(const std::vector<Instant>& instants);
 
 }  // namespace demo

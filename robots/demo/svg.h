@@ -1,4 +1,4 @@
-// Elements of pictures in SVG. Lengths in pixels, y downwards; `style` is further attributes.
+// Elements of SVG pictures. Lengths are in pixels, y points downwards; `style` holds further attributes.
 #pragma once
 
 #include <string>
@@ -6,14 +6,14 @@
 
 namespace svg {
 
-// A middle tone: contrast at least 4 on white and on nearly black.
+// A middle tone with a contrast of at least 4 on white and on nearly black.
 inline constexpr const char* kInk = "#7a7a7a";
 
 struct Point {
   double x, y;
 };
 
-// With so many digits behind the point, whatever the locale.
+// The value with this number of decimal places, in any locale.
 std::string fixed(double value, int digits);
 std::string px(double value);
 

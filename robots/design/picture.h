@@ -1,4 +1,4 @@
-// The two studies as pictures in SVG, in the layout of the paper: curves, and legs of three lengths above them.
+// The two studies as SVG pictures in the layout of the paper: curves, and above them legs of three lengths.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct JumpCurve {
 };
 std::string jump_picture(const std::vector<JumpCurve>& curves);
 
-// Powers are drawn relative to that of legs whose parts are equally long.
+// Powers are drawn relative to the power for upper and lower legs of equal length.
 struct TrotCurve {
   double speed;
   std::vector<Sample> samples;

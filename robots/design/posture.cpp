@@ -11,7 +11,7 @@ using quadruped::Twist;
 using ByJoints = Eigen::Matrix<double, 12, 12>;
 using ByParameters = Eigen::Matrix<double, 12, kParameters>;
 
-constexpr double kClose = 1e-13;  // m, to the wanted place of a foot
+constexpr double kClose = 1e-13;  // m, from the given position of a foot
 constexpr int kMaxSteps = 50;
 constexpr double kMaxStep = 0.3;  // rad: no step leads across a stretched leg
 
@@ -19,9 +19,9 @@ ByJoints feet_jacobian(const Parameters& parameters, const JointState& q) {
   return contact_jacobian(parameters, q).rightCols<12>();
 }
 
-// With the joints held still.
+// Derivatives of the positions of the feet with constant joint positions.
 ByParameters feet_by_parameters(const Parameters& parameters, const JointState& q) {
-  // The last three of the first twelve rows are those of the translation: matrices stand column by column.
+  // Matrices are stored column by column, so rows 12 to 14 are those of the translation.
   const auto translation = [](const auto& d) { return d.d_parameters.template middleRows<3>(12); };
   ByParameters result;
   result << translation(homogeneous::fr_trunk_X_fr_LF_foot_d_parameters(parameters, q)),
@@ -87,7 +87,7 @@ MotionDerivatives motion_derivatives(const Parameters& parameters, const Motion&
   MotionDerivatives d;
   d.q = -J.solve(feet_by_parameters(parameters, m.q));
 
-  // J qd is the velocity of the feet, and J qdd what it would be with qdd in the place of qd.
+  // J qd is the velocity of the feet, and J qdd is the same function with qdd in place of qd.
   const auto velocity = contact_velocity_d_parameters_q(parameters, m.q, m.qd, Twist());
   d.qd = -J.solve(velocity.d_parameters + velocity.d_q * d.q);
 

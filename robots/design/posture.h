@@ -1,4 +1,4 @@
-// Joint motions that put the feet where they are wanted, and their derivatives by the parameters of the design.
+// Joint motions that move the feet as given, and their derivatives by the parameters of the design.
 #pragma once
 
 #include <quadruped_parametric/quadruped_parametric.h>
@@ -14,7 +14,7 @@ using Parameters = quadruped::Parameters<>;
 
 inline constexpr int kParameters = static_cast<int>(quadruped::kParameterNames.size());
 
-// The place of a parameter in kParameterNames.
+// Index of a parameter in kParameterNames.
 constexpr std::size_t index_of(std::string_view name) {
   std::size_t index = 0;
   while (quadruped::kParameterNames.at(index) != name) ++index;
@@ -24,7 +24,7 @@ constexpr std::size_t index_of(std::string_view name) {
 // Coordinates x, y, z of LF, RF, LH and RH in trunk axes: positions (m), velocities, accelerations or forces.
 using Feet = Eigen::Matrix<double, 12, 1>;
 
-// Where the origins of the four hips are, and a foot below each at this height (m, negative).
+// Positions of the feet below the origins of the four hips, at this height (m, negative).
 Feet feet_below_hips(double height);
 
 Feet feet_positions(const Parameters& parameters, const JointState& q);
@@ -32,15 +32,15 @@ Feet feet_positions(const Parameters& parameters, const JointState& q);
 // Front and hind knees point inwards.
 JointState bent_knees();
 
-// Joint positions (rad) with the feet there, by Newton's method from a guess. Throws std::domain_error where the legs
-// do not reach.
+// Joint positions (rad) with the feet at the given positions, by Newton's method from a guess. Throws std::domain_error
+// if the legs do not reach.
 JointState posture(const Parameters& parameters, const Feet& feet, const JointState& guess);
 
 struct Motion {
   JointState q, qd, qdd;
 };
 
-// With respect to a trunk that does not accelerate.
+// Joint motion for this motion of the feet with respect to a trunk that does not accelerate.
 Motion motion(
     const Parameters& parameters,
     const Feet& positions,
@@ -53,8 +53,8 @@ struct MotionDerivatives {
   Eigen::Matrix<double, 12, kParameters> q, qd, qdd;
 };
 
-// Of a motion whose feet move as they do whatever the parameters are: J q' = -P', where P' is the derivative of the
-// positions of the feet with the joints held still, and so on for velocities and accelerations.
+// Derivatives of a motion in which the feet move in the same way for all parameters: J q' = -P', where P' is the
+// derivative of the positions of the feet with constant joint positions, and so on for velocities and accelerations.
 MotionDerivatives motion_derivatives(const Parameters& parameters, const Motion& motion);
 
 }  // namespace design

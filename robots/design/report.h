@@ -1,4 +1,4 @@
-// What both programs print and write.
+// Output that both programs print and write.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ inline double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// What a new set of values takes, ns.
+// Time of an update with new values, ns.
 inline double update_time() {
   constexpr int kTimes = 100000;
   Parameters parameters;
@@ -34,7 +34,7 @@ inline void print_head(const char* study, const char* unit) {
   std::printf("%-44s %8s %8s %6s %9s %9s %6s\n", study, "upper m", "lower m", "ratio", "kg m^2", unit, "calls");
 }
 
-// `sign` is -1 where the largest value was looked for.
+// `sign` is -1 if the value was maximised.
 inline void print(const std::string& study, const Optimum& optimum, int sign = 1) {
   std::printf("%-44s %8.3f %8.3f", study.c_str(), optimum.x[0], optimum.x[1]);
   if (optimum.x.size() > 2) {
@@ -49,7 +49,7 @@ inline void print_absence() {
   std::printf("Searches over several parameters take NLopt (Debian: libnlopt-dev), which this build does not have.\n");
 }
 
-// The exit status.
+// Writes the picture and returns the exit status.
 inline int write(const char* program, const char* name, const std::string& picture) {
   std::ofstream file(name);
   file << picture;

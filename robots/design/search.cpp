@@ -45,7 +45,7 @@ nlopt_algorithm algorithm_of(Method method) {
   return method == Method::slsqp ? NLOPT_LD_SLSQP : NLOPT_LN_COBYLA;
 }
 
-// NLopt sees variables from 0 to 1: lengths and inertias differ by orders of magnitude.
+// NLopt gets variables scaled to 0 to 1, because lengths and inertias differ by orders of magnitude.
 struct Scaled {
   const std::vector<Variable>& variables;
   const Function& function;
@@ -90,7 +90,7 @@ Optimum minimise(const Problem& problem, Method method) {
   for (const Variable& v : problem.variables) y.push_back((v.start - v.lower) / (v.upper - v.lower));
   double value = 0;
   const nlopt_result result = nlopt_optimize(search.get(), y.data(), &value);
-  // Rounding ends a search that cannot improve any more: what it found is good.
+  // Rounding ends a search that cannot improve any more, so its result is good.
   if (result < 0 && result != NLOPT_ROUNDOFF_LIMITED)
     throw std::runtime_error(std::string("NLopt: ") + nlopt_result_to_string(result));
   return {function.unscaled(y.data()), value, function.evaluations, result != NLOPT_MAXEVAL_REACHED};

@@ -16,30 +16,30 @@ using quadruped::JointTrigonometry, quadruped::Twist;
 using State = robcogen::State<quadruped::Robot>;
 using Contacts = Eigen::Matrix<double, 12, 18>;
 
-// Ground: upwards a spring whose stiffness grows with the speed of sinking, along it friction.
+// The ground acts upwards as a spring whose stiffness grows with the speed of sinking, and tangentially by friction.
 constexpr double kGroundStiffness = 2e5;  // N/m
 constexpr double kGroundDamping = 1;      // s/m
 constexpr double kFriction = 0.8;
-constexpr double kSlipVelocity = 0.05;  // m/s, where friction reaches 0.7 of its limit
+constexpr double kSlipVelocity = 0.05;  // m/s, at which friction reaches 0.7 of its limit
 
 // Controller of the trunk.
 constexpr double kPush = 2.5;                                  // times the weight
 constexpr double kLevelStiffness = 3000, kLevelDamping = 200;  // N m/rad, N m s/rad
 constexpr double kDriftDamping = 500;                          // N s/m, forwards and sideways
-// Legs are held as they are in the air.
+// Controller of the legs in the air, which holds their posture.
 constexpr double kHoldStiffness = 200, kHoldDamping = 10;
 
 constexpr double kTimeStep = 5e-5;  // s
 constexpr int kStepsPerControl = 10;
 constexpr int kStepsPerInstant = 20;
-constexpr double kFlightTimeStep = 5e-4;  // s: without the ground nothing is stiff
+constexpr double kFlightTimeStep = 5e-4;  // s; without the ground, nothing is stiff
 constexpr double kMaxPushTime = 1, kMaxFlightTime = 2;
 
-// Motors: 5 N m with a rotor of 1e-4 kg m^2, and so on; 800 rad/s without load.
+// Motors: the torque is proportional to the inertia of the rotor, 5 N m for 1e-4 kg m^2; 800 rad/s without load.
 constexpr double kTorquePerInertia = 5e4;
 constexpr double kNoLoadVelocity = 800;
 
-// The sum of what acts on the base when the robot stands still: minus its weight and the moment of that, about the
+// The wrench that the ground exerts on the robot at rest: minus its weight and the moment of the weight, about the
 // base.
 Eigen::Matrix<double, 6, 1> standing_wrench(const Parameters& parameters, const JointState& q) {
   const JointState zero = JointState::Zero();
@@ -49,7 +49,7 @@ Eigen::Matrix<double, 6, 1> standing_wrench(const Parameters& parameters, const 
   return contact_jacobian(parameters, q).leftCols<6>().transpose() * standing.contact_wrenches;
 }
 
-// Forces of the ground on the feet, in trunk axes; all zero in the air. `depth` of the deepest foot, m.
+// Forces of the ground on the feet, in trunk axes; all zero in the air. Sets `depth` to that of the deepest foot (m).
 Feet ground_forces(const State& state, const Feet& positions, const Feet& velocities, double& depth) {
   Feet forces = Feet::Zero();
   depth = -HUGE_VAL;
@@ -71,7 +71,7 @@ JointState limited(const JointState& tau, const TorqueLimits& limits) {
   return tau.cwiseMax(limits.lower).cwiseMin(limits.upper);
 }
 
-// Joint torques that push the trunk, with the smallest forces on the feet that do.
+// Joint torques that push the trunk, with the smallest forces on the feet that achieve this.
 JointState push(const State& state, const Contacts& J, const Eigen::Matrix<double, 6, 1>& weight) {
   Eigen::Matrix<double, 6, 1> wrench = kPush * weight;
   const Vector3d turn = difference(state.pose, robcogen::BasePose()).angular();
@@ -111,7 +111,7 @@ double vertical_speed(const State& state) {
   return state.pose.to_world_axes(state.base_velocity.linear()).z();
 }
 
-// The height of the apex.
+// Simulates the flight and returns the height of the apex.
 double fly(const Parameters& parameters, State state, const Actuators& actuators) {
   const JointState posture = state.q;
   for (double time = 0; time < kMaxFlightTime; time += kFlightTimeStep) {
@@ -165,7 +165,7 @@ Jump squat_jump(const Parameters& parameters, double start, const Actuators& act
     const Feet forces = ground_forces(state, positions, J * velocity, depth);
     if (i % kStepsPerInstant == 0) jump.feet.push_back(positions);
     if (depth <= 0 && vertical_speed(state) > 0) {
-      // Between the last two steps.
+      // Lift-off is between the last two steps.
       const double share = before > 0 ? before / (before - depth) : 1;
       const double lift_off = height + share * (state.pose.position().z() - height);
       jump.lift_off_time = (i - 1 + share) * kTimeStep;

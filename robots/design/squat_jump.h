@@ -1,8 +1,8 @@
 // A quadruped jumps from a squat: the first of the two design studies of Frigerio et al., JOSER 7(1), 2016, 7.5
 // (Fig. 14a).
 //
-// The trunk is pushed upwards by 2.5 times the weight, and held level; the Jacobians of the feet map that to joint
-// torques, which are limited. The ground is a spring and a damper below each foot, with friction.
+// The trunk is pushed upwards by 2.5 times the weight, and held level; the Jacobians of the feet map these forces to
+// joint torques, which are limited. The ground is a spring and a damper below each foot, with friction.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,17 @@
 
 namespace design {
 
-// Limits of the torques of hips and knees (N m), at these velocities. `lower` is not above zero, `upper` not below.
+// Limits of the torques of hips and knees (N m) at given velocities. `lower` is at most zero, `upper` at least zero.
 struct TorqueLimits {
   JointState lower, upper;
 };
 using Actuators = std::function<TorqueLimits(const JointState& qd)>;
 
-// The same at all velocities; HUGE_VAL is none.
+// The same limit at all velocities; HUGE_VAL means no limit.
 Actuators constant_limit(double torque);
 
-// Electric motors behind the gears of the parameters: the torque is in proportion to the length of the motor, and so to
-// the inertia of its rotor, and falls to zero at the velocity without load.
+// Electric motors with the gears of the parameters: the torque is proportional to the length of the motor, and thus to
+// the inertia of its rotor, and falls to zero at the no-load velocity.
 Actuators motors(const ParameterArray& parameters);
 
 struct Jump {
@@ -32,8 +32,8 @@ struct Jump {
   std::vector<Feet> feet;  // in trunk axes, each millisecond until lift-off
 };
 
-// `start` is the height of the trunk's origin above the ground, m, in the squat, with the feet below the hips. Throws
-// std::domain_error where the legs do not reach, or where the robot does not lift off.
+// `start` is the height (m) of the trunk's origin above the ground in the squat, with the feet below the hips. Throws
+// std::domain_error if the legs do not reach, or if the robot does not lift off.
 Jump squat_jump(const Parameters& parameters, double start, const Actuators& actuators);
 
 }  // namespace design

@@ -18,7 +18,7 @@ ParameterArray parameters_of(const std::vector<double>& x) {
   return result;
 }
 
-// A design that cannot jump, because its legs do not reach or its motors are too weak, rises by nothing.
+// The rise of a design, or zero if it cannot jump because its legs do not reach or its motors are too weak.
 double rise_or_nothing(const ParameterArray& parameters, const Actuators& actuators) {
   try {
     return squat_jump(Parameters(parameters), kStarts[0], actuators).rise;
@@ -27,7 +27,7 @@ double rise_or_nothing(const ParameterArray& parameters, const Actuators& actuat
   }
 }
 
-// sign (upper + lower - length) <= 0
+// The constraint sign (upper + lower - length) <= 0.
 Function limit_on_length(double sign, double length) {
   return [=](const std::vector<double>& x, double* gradient) {
     if (gradient) {
@@ -38,7 +38,7 @@ Function limit_on_length(double sign, double length) {
   };
 }
 
-// A power with its gradient, which costs more, where that is asked for.
+// A power, with its gradient only if the pointer is not null, because the gradient costs more.
 Function power_function(
     double (*value)(const ParameterArray&, const Trot&),
     Power (*with_gradient)(const ParameterArray&, const Trot&),

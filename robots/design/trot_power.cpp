@@ -11,41 +11,41 @@ using Gradient = Eigen::Matrix<double, kParameters, 1>;
 constexpr int kRotor = static_cast<int>(index_of("rotor_inertia")), kGear = static_cast<int>(index_of("gear_ratio"));
 
 constexpr int kInstants = 100;  // of a step
-// Two vertical forces cannot hold the moment about the line through the feet, and swinging legs pull the trunk back and
-// forth: the forces are those of the nearest wrench.
+// Two vertical forces cannot balance the moment about the line through the feet, and swinging legs pull the trunk back
+// and forth, so the forces are those of the nearest wrench.
 constexpr double kRegularization = 1e-6;
 
-// Motors, all of one diameter: in proportion to their length (and so to the inertia of their rotors) grows the square
-// of the torque that they have for a watt of heat, 0.06 (N m)^2/W with a rotor of 1e-4 kg m^2. What gears and bearings
-// lose depends on the speed alone.
+// All motors have the same diameter. The square of their torque per watt of heat is proportional to their length, and
+// thus to the inertia of their rotors: 0.06 (N m)^2/W with a rotor of 1e-4 kg m^2. Losses of gears and bearings depend
+// on the speed only.
 constexpr double kMotorConstant = 600;  // (N m)^2/W for each kg m^2
 constexpr double kMotorDrag = 2e-4;     // N m s/rad
 
-// A polynomial from -1 to 1 with the slope `slope` and no curvature at its ends, for s from 0 to 1; and derivatives.
+// A polynomial from -1 to 1 with slope `slope` and no curvature at its ends, for s from 0 to 1, with its derivatives.
 struct Swing {
   double value, rate, curvature;
 };
 Swing forwards(double s, double slope) {
-  // 2 s - 1 + (slope - 2) times a polynomial that is zero at both ends and amid them, with slope 1 at the ends.
+  // 2 s - 1 + (slope - 2) times a polynomial that is zero at both ends and in the middle, with slope 1 at the ends.
   const double a = slope - 2;
   const double s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
   return {
       2 * s - 1 + a * (s - 10 * s3 + 15 * s4 - 6 * s5), 2 + a * (1 - 30 * s2 + 60 * s3 - 30 * s4),
       a * (-60 * s + 180 * s2 - 120 * s3)};
 }
-// Up to 1 and down, without speed and acceleration at both ends.
+// A polynomial that rises to 1 and falls again, with zero speed and acceleration at both ends.
 Swing upwards(double s) {
   const double u = s * (1 - s), du = 1 - 2 * s;
   return {64 * u * u * u, 192 * u * u * du, 384 * u * du * du - 384 * u * u};
 }
 
-// Of one instant.
+// Torques and their derivatives at one instant.
 struct Forces {
   JointState tau;
   Eigen::Matrix<double, 12, kParameters> tau_by_parameters;
 };
 
-// Feet carry by vertical forces.
+// Weights of the foot forces: feet on the ground carry by vertical forces only.
 Feet weights_of(const FeetMotion& feet) {
   Feet weights = Feet::Zero();
   for (int foot = 0; foot < 4; ++foot) weights[3 * foot + 2] = feet.on_ground[foot];
@@ -61,7 +61,7 @@ JointState torques(const Parameters& parameters, const Motion& m, const FeetMoti
       .tau;
 }
 
-// The motion follows the parameters, so that the feet move as they do.
+// The joint motion depends on the parameters, because the motion of the feet does not.
 Forces torques_and_derivatives(
     const Parameters& parameters,
     const Motion& m,
@@ -90,7 +90,7 @@ void step(const Parameters& parameters, const Trot& trot, const Visit& visit) {
   }
 }
 
-// What a function of torque, velocity and parameters gives for hips and knees, mean over a step, for a leg.
+// Sum of a function of torque, velocity and parameters over hips and knees, per leg, mean over a step.
 template <class Loss>
 double mean(const ParameterArray& values, const Trot& trot, const Loss& loss) {
   const Parameters parameters(values);
@@ -155,7 +155,7 @@ FeetMotion trotting_feet(const Trot& trot, double phase) {
   const double reach = trot.speed * stance / 2;
   FeetMotion result{feet_below_hips(-trot.height), Feet::Zero(), Feet::Zero(), Eigen::Vector4d::Zero()};
   for (int foot = 0; foot < 4; ++foot) {
-    // LF and RH, then RF and LH.
+    // LF and RH are on the ground in the first half of the period, RF and LH in the second.
     const bool is_first = foot == 0 || foot == 3;
     const double share = 2 * (is_first ? phase : phase - 0.5), s = share - std::floor(share);
     const int x = 3 * foot, z = x + 2;

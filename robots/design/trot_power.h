@@ -1,7 +1,7 @@
 // A quadruped trots at a constant speed: the second of the two design studies of Frigerio et al., JOSER 7(1), 2016, 7.5
 // (Fig. 14b).
 //
-// The motion is given: the trunk does not accelerate, and diagonal pairs of feet take turns on the ground, which pushes
+// The motion is given: the trunk does not accelerate, and diagonal pairs of feet alternate on the ground, which pushes
 // them vertically. Inverse dynamics gives the torques.
 #pragma once
 
@@ -16,26 +16,26 @@ struct Trot {
   double clearance = 0.08;  // m, of the swinging feet
 };
 
-// Feet in trunk axes, at this share of the period.
+// Motion of the feet in trunk axes at this phase, a fraction of the period.
 struct FeetMotion {
   Feet positions, velocities, accelerations;
   Eigen::Vector4d on_ground;  // 1 or 0
 };
 FeetMotion trotting_feet(const Trot& trot, double phase);
 
-// What joints and motors take, mean over a step, for a leg.
+// Power of joints and motors per leg, mean over a step.
 struct Power {
   double value;                                    // W
   Eigen::Matrix<double, kParameters, 1> gradient;  // W, in the order of kParameterNames
 };
 
-// |torque times velocity| of hip and knee.
+// Sum of |torque times velocity| of hip and knee.
 Power mechanical_power(const ParameterArray& parameters, const Trot& trot);
 
-// With electric motors, what their windings and bearings lose as well.
+// Power of electric motors, including the losses of their windings and bearings.
 Power electric_power(const ParameterArray& parameters, const Trot& trot);
 
-// The value alone.
+// The values without gradients.
 double mechanical_power_value(const ParameterArray& parameters, const Trot& trot);
 double electric_power_value(const ParameterArray& parameters, const Trot& trot);
 

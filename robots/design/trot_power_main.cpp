@@ -8,7 +8,7 @@ namespace {
 
 using namespace design;
 
-// Both ways lead to one optimum; gradients are generated derivatives.
+// Searches with and without gradients lead to the same optimum; gradients are generated derivatives.
 void compare(const std::string& name, const Problem& problem) {
   print(name + ", with gradients", minimise(problem, Method::slsqp));
   print(name + ", without", minimise(problem, Method::cobyla));

@@ -1,4 +1,4 @@
-// Coordinate transforms with no robot: one attitude in two sequences of Euler angles.
+// Coordinate transforms without a robot: one attitude in two sequences of Euler angles.
 #include <euler/euler.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@ int main() {
   const double yaw = 0.5, pitch = -0.2, roll = 0.1;
   const Eigen::Matrix4d attitude = euler::transforms::homogeneous::S_X_zyx(yaw, pitch, roll);
 
-  // The same attitude by precession, nutation and spin about z, x', z'': read off the last column and the last row.
+  // The same attitude by precession, nutation and spin about z, x', z'', from the last column and the last row.
   const double nutation = std::acos(attitude(2, 2));
   const double precession = std::atan2(attitude(0, 2), -attitude(1, 2));
   const double spin = std::atan2(attitude(2, 0), attitude(2, 1));

@@ -1,11 +1,11 @@
-// A joint controller in one line: gravity compensation with a spring and a damper, tried on the simulated leg.
+// A joint controller in one line: gravity compensation with a spring and a damper, tested on the simulated leg.
 #include <hyl/hyl.h>
 
 #include <iostream>
 
 using hyl::JointState;
 
-// Forces that pull the joints to `goal`. No state, no allocation: fit for a real-time loop.
+// Forces that pull the joints to `goal`. It has no state and allocates nothing, so a real-time loop can call it.
 JointState control(const JointState& q, const JointState& qd, const JointState& goal) {
   const JointState stiffness(4000, 150, 150), damping(400, 10, 5);
   return hyl::gravity_forces(q) + stiffness.cwiseProduct(goal - q) - damping.cwiseProduct(qd);

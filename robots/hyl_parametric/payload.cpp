@@ -1,5 +1,5 @@
-// One library, several legs: the joint forces of HyL, of one with a payload on its slider, and of one with a longer
-// shank.
+// One library for several legs: the joint forces of HyL, of a leg with a payload on its slider, and of a leg with a
+// longer shank.
 #include <hyl_parametric/hyl_parametric.h>
 
 #include <iostream>
@@ -30,7 +30,7 @@ int main() {
 
   Scale scale;
   scale.payload = 5;
-  parameters.update(scale);  // mass properties anew, lengths as before
+  parameters.update(scale);  // new mass properties, lengths as before
   print("payload  ", parameters);
 
   leg::ParameterValues values;

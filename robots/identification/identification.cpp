@@ -12,12 +12,12 @@ namespace identification {
 namespace {
 
 constexpr double kRate = 100;  // Hz, of measurements
-// What the document does not have: friction of each joint.
+// Friction of each joint, which the document does not have.
 const JointState kDamping = (JointState() << 4, 3.5, 2, 0.07, 0.08, 0.04).finished();          // N m s/rad
 const JointState kFriction = (JointState() << 5, 4.5, 3, 0.4, 0.35, 0.3).finished();           // N m
 const JointState kNoiseLevels = (JointState() << 1.5, 1.5, 0.8, 0.08, 0.08, 0.05).finished();  // N m
 
-// The bits of the engine, not a distribution of the standard library: the same numbers everywhere.
+// Uses the bits of the engine, not a distribution of the standard library, so that numbers are the same everywhere.
 double uniform(std::mt19937& engine) {
   return static_cast<double>(engine()) * 0x1p-31 - 1;
 }
@@ -33,7 +33,7 @@ std::vector<Instant> instants_of(const Motion& motion) {
   return instants;
 }
 
-// All rows, each in units of its noise.
+// The rows of all instants, each in units of its noise.
 Eigen::MatrixXd weighted_rows(const std::vector<Instant>& instants) {
   Eigen::MatrixXd all(kJoints * instants.size(), kUnknowns);
   for (std::size_t k = 0; k < instants.size(); ++k)
@@ -48,7 +48,7 @@ Eigen::VectorXd weighted_torques(const std::vector<Instant>& instants) {
   return all;
 }
 
-// Of one inertial parameter.
+// The derivative of the pseudo-inertia by one inertial parameter.
 Eigen::Matrix4d unit_pseudo_inertia(int parameter) {
   InertialParameters unit = InertialParameters::Zero();
   unit[parameter] = 1;
@@ -136,7 +136,7 @@ Eigen::Matrix4d pseudo_inertia(const InertialParameters& pi, int link) {
   return J;
 }
 
-// Stretched and sheared bodies are still bodies.
+// The guess stretches and shears the bodies, which keeps them physically consistent.
 InertialParameters guessed_parameters(unsigned seed) {
   std::mt19937 engine(seed);
   InertialParameters guess;
@@ -154,7 +154,7 @@ InertialParameters guessed_parameters(unsigned seed) {
 }
 
 // Newton's method for |weighted residual|^2 / 2 + the sum over links of tr(J0^-1 J) - log det J, which is convex and
-// keeps every J positive definite. Friction follows from the rest.
+// keeps every J positive definite. Friction is estimated together with the parameters.
 InertialParameters consistent_parameters(const std::vector<Instant>& instants, const InertialParameters& guess) {
   constexpr int n = 10 * kLinks, all = n + 2 * kJoints, kSteps = 100;
   Eigen::Matrix<double, kUnknowns, all> to_unknowns = Eigen::Matrix<double, kUnknowns, all>::Zero();

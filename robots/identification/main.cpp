@@ -11,7 +11,7 @@ namespace {
 
 using namespace identification;
 
-// With the friction that was identified.
+// The unknowns for given inertial parameters, with the identified friction.
 Unknowns with_friction(const InertialParameters& pi, const Unknowns& identified) {
   Unknowns result = identified;
   result.head<kBaseParameters>() = puma::base_parameters(pi);

@@ -19,7 +19,7 @@ std::string style(const char* colour, double width, const std::string& more = ""
   return "fill=\"none\" " + stroke(colour, width, more);
 }
 
-// One joint: time to the right, torques from -`most` to `most` upwards.
+// The panel of one joint, with time to the right and torques from -`most` to `most` upwards.
 struct Panel {
   double top, most;
   Point at(double time, double value) const {

@@ -1,4 +1,4 @@
-// Torques as a picture in SVG.
+// Torques as an SVG picture.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace identification {
 
-// Measured torques of each joint, those that the guess predicts, and those that the identified parameters predict. Text
-// of a complete SVG file; no background, and colours that can be read on white and on black.
+// Draws for each joint the measured torques, those that the guess predicts, and those that the identified parameters
+// predict. Returns the text of a complete SVG file without background, in colours that can be read on white and on
+// black.
 std::string picture(const std::vector<Instant>& instants, const Unknowns& guessed, const Unknowns& identified);
 
 }  // namespace identification

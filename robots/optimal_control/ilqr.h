@@ -1,6 +1,6 @@
 // Iterative LQR (Li and Todorov 2004, with the regularisation and the line search of Tassa, Erez and Todorov, IROS
-// 2012), for systems of fixed sizes: the best inputs of a motion from a state to a goal, and the feedback that keeps
-// the motion on its path.
+// 2012) for systems of fixed sizes. It finds the best inputs of a motion from a state to a goal, and the feedback that
+// keeps the motion on its trajectory.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,8 +12,8 @@ namespace optimal_control {
 
 template <int n, int m>
 struct Linearisation {
-  Eigen::Matrix<double, n, n> A;  // of the next state by this one
-  Eigen::Matrix<double, n, m> B;  // and by the input
+  Eigen::Matrix<double, n, n> A;  // derivative of the next state by this state
+  Eigen::Matrix<double, n, m> B;  // derivative of the next state by the input
 };
 
 // The cost is the sum of 1/2 (x - goal)^T state (x - goal) + 1/2 u^T input u over all steps, and 1/2 (x - goal)^T end
@@ -26,15 +26,16 @@ struct Weights {
 
 template <int n, int m>
 struct Trajectory {
-  std::vector<Eigen::Matrix<double, n, 1>> x;  // one more than inputs
+  std::vector<Eigen::Matrix<double, n, 1>> x;  // one more state than inputs
   std::vector<Eigen::Matrix<double, m, 1>> u;
   std::vector<Eigen::Matrix<double, m, n>> feedback;  // u changes by feedback times the change of x
   std::vector<double> costs;                          // of the first trajectory and after each iteration
   bool is_converged = false;
 };
 
-// `next(x, u, linearisation)` gives the next state, and linearises where the pointer is not null. Starts with the
-// inputs of `trajectory` from its first state. Converged: an iteration gains less than `tolerance` of the cost.
+// `next(x, u, linearisation)` returns the next state, and linearises if the pointer is not null. The iteration starts
+// with the inputs of `trajectory` from its first state. It has converged if an iteration gains less than the fraction
+// `tolerance` of the cost.
 template <int n, int m, class Next>
 class IterativeLqr {
  public:
@@ -74,7 +75,8 @@ class IterativeLqr {
     return sum;
   }
 
-  // Gains of the quadratic model of the cost to go, from the end to the start. False: the model has no minimum.
+  // Computes gains from a quadratic model of the cost to go, from the end to the start. Returns false if the model has
+  // no minimum.
   bool backward(double regularisation) {
     X Vx = weights_.end.cwiseProduct(best_.x.back() - weights_.goal);
     Eigen::Matrix<double, n, n> Vxx = weights_.end.asDiagonal();
@@ -103,7 +105,7 @@ class IterativeLqr {
     return true;
   }
 
-  // The largest of ever smaller changes that lowers the cost. False: none does.
+  // Takes the largest of a sequence of decreasing changes that lowers the cost. Returns false if none does.
   bool forward() {
     for (double share = 1; share > 1e-4; share /= 2) {
       std::vector<X> x = best_.x;

@@ -1,4 +1,4 @@
-// A cart-pole and the PUMA 560 swing up, with pictures; a quadruped is pushed, and stands.
+// A cart-pole and the PUMA 560 swing up, with pictures; a quadruped is pushed and keeps standing.
 //
 //   optimal_control CART_POLE.svg PUMA.svg
 #include <chrono>

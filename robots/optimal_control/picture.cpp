@@ -30,7 +30,7 @@ Point at(const Place& p, double scale) {
   return {kCentreX + scale * kPixelsPerMetre * p.forward, kCentreY - scale * kPixelsPerMetre * p.up};
 }
 
-// Stronger with time; the path of the tip.
+// Figures that become stronger with time, and the path of the tip.
 std::string figures(const std::vector<Figure>& all, double scale) {
   std::string text;
   std::vector<Point> path;

@@ -1,5 +1,5 @@
-// Motions as pictures in SVG: figures of the robot, forces of its joints, and how the cost fell. No background, and
-// colours that can be read on white and on black.
+// Motions as SVG pictures: figures of the robot, forces of its joints, and the cost over the iterations. They have no
+// background, and colours that can be read on white and on black.
 #pragma once
 
 #include <string>

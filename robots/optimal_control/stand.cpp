@@ -20,10 +20,10 @@ const quadruped::Parameters<> kHyq;
 const Gravity kGravity(0, 0, -9.81);
 const JointState kStill = JointState::Zero();
 
-// Of the regulator: a turn of 0.1 rad counts as much as 0.1 m, as a velocity of 1 rad/s or 1 m/s, and as torques of 100
-// N m.
+// Weights of the regulator: a rotation of 0.1 rad counts as much as 0.1 m, as a velocity of 1 rad/s or 1 m/s, and as
+// torques of 100 N m.
 constexpr double kPositionWeight = 100, kVelocityWeight = 1, kTorqueWeight = 1e-4;
-// Feet that have slipped by rounding come back within 1/kHold seconds.
+// Feet that have slipped by rounding errors return within some 1/kHold seconds.
 constexpr double kHold = 50;
 constexpr int kStepsPerControl = 10;
 
@@ -36,7 +36,7 @@ Vector12 feet(const JointState& q) {
   return result;
 }
 
-// Feet below the hips, knees inwards: Newton's method on the positions of the feet.
+// The posture with feet below the hips and knees inwards, by Newton's method on the positions of the feet.
 JointState posture(double height) {
   JointState q;
   q << 0, 0.7, -1.4, 0, 0.7, -1.4, 0, -0.7, 1.4, 0, -0.7, 1.4;
@@ -47,14 +47,14 @@ JointState posture(double height) {
   return q;
 }
 
-// Forces that are missing on the base and in the joints, for accelerations of both.
+// The forces on the base and in the joints that are needed in addition to the foot forces, for accelerations of both.
 Coordinates missing(const JointState& q, const Coordinates& a, const Vector12& forces, const Gravity& gravity) {
   const auto f = inverse_dynamics_with_contacts(
       kHyq, q, kStill, JointState(a.tail<12>()), Twist(), SpatialAcceleration(Base(a.head<6>())), forces, gravity);
   return (Coordinates() << f.base_wrench.vector(), f.tau).finished();
 }
 
-// How all coordinates follow the trunk while the feet stay.
+// The derivative of all coordinates by the displacement of the trunk while the feet stay in place.
 Eigen::Matrix<double, 18, 6> following(const JointState& q) {
   const Eigen::Matrix<double, 12, 18> J = contact_jacobian(kHyq, q);
   Eigen::Matrix<double, 18, 6> N;
@@ -70,7 +70,7 @@ Vector12 as_state(const State& s, const Standing& about) {
 }  // namespace
 
 // With x the displacement of the trunk, N^T (inverse dynamics) = N^T (0, tau) holds for all motions with the feet at
-// rest. Its derivatives are those of inverse dynamics with constant forces on the feet, since N^T J^T = 0 for every
+// rest. Its derivatives are those of inverse dynamics with constant forces on the feet, because N^T J^T = 0 for every
 // posture.
 Standing standing(double height) {
   Standing s{};
@@ -90,7 +90,7 @@ Standing standing(double height) {
   Eigen::Matrix<double, 18, 12> by_q;
   by_q << d.base_wrench_d_q, d.tau_d_q;
   for (int k = 0; k < 6; ++k) {
-    // Forces are linear in accelerations and in gravity, which turns against the trunk.
+    // Forces are linear in accelerations and in gravity, which in trunk axes turns opposite to the trunk.
     inertia.col(k) = missing(s.q, N.col(k), s.forces, kGravity) - at_rest;
     const Eigen::Vector3d g = kGravity.vector(), turn = Base::Unit(k).head<3>();
     stiffness.col(k) = by_q * N.col(k).tail<12>() +
@@ -104,7 +104,7 @@ Standing standing(double height) {
   input.bottomRows<6>() = mass.solve(N.bottomRows<12>().transpose());
   s.rate = rate;
 
-  // exp of rate h for A, its integral times the input for B: the series converge at once.
+  // A is the exponential of rate times the time step, B its integral times the input; the series converge quickly.
   Matrix12 power = Matrix12::Identity(), sum = Matrix12::Zero();
   s.A.setZero();
   for (int k = 1; k < 12; ++k) {
@@ -116,8 +116,7 @@ Standing standing(double height) {
   return s;
 }
 
-// The Riccati equation by doubling (Anderson 1978; Chu, Fan, Lin, Wang 2004): each step takes twice as many instants
-// into account.
+// Solves the Riccati equation by doubling (Anderson 1978; Chu, Fan, Lin, Wang 2004): each step doubles the horizon.
 Matrix12 regulator(const Matrix12& A, const Matrix12& B, const Vector12& state_weights, double torque_weight) {
   Matrix12 a = A, g = B * B.transpose() / torque_weight, h = state_weights.asDiagonal();
   for (int i = 0; i < 60; ++i) {

@@ -1,8 +1,8 @@
-// A quadruped stands: a linear-quadratic regulator holds it where it is, against pushes.
+// A quadruped stands: a linear-quadratic regulator holds it in place against pushes.
 //
-// Its feet are points that hold to the ground, so that the twelve joints follow from the pose of the trunk: the state
-// is the displacement of the trunk (a turn and a shift, in its axes) and its velocity, twelve numbers, and the inputs
-// are the torques of all joints.
+// Its feet are points that stick to the ground, so that the twelve joint positions follow from the pose of the trunk.
+// The state is the displacement of the trunk (a rotation and a translation, in its axes) and its velocity, twelve
+// numbers, and the inputs are the torques of all joints.
 #pragma once
 
 #include <quadruped_parametric/quadruped_parametric.h>
@@ -19,8 +19,8 @@ inline constexpr double kControlStep = 0.002;  // s
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
-// About the posture q, which the torques tau hold: the next state is A times the state plus B times the change of the
-// torques.
+// Linearisation about the posture q, which the torques tau hold: the next state is A times the state plus B times the
+// change of the torques.
 struct Standing {
   quadruped::JointState q, tau;
   double height;    // m, of the trunk's origin above the feet
@@ -30,8 +30,8 @@ struct Standing {
 };
 Standing standing(double height);
 
-// The gains K of tau + K x, with the smallest sum of squares of states and torques, as weighted. Throws
-// std::runtime_error where the Riccati equation does not converge.
+// The gains K of tau + K x that minimise the weighted sum of squares of states and torques. Throws std::runtime_error
+// if the Riccati equation does not converge.
 Matrix12 regulator(const Matrix12& A, const Matrix12& B, const Vector12& state_weights, double torque_weight);
 Matrix12 regulator(const Standing& s);
 
@@ -44,8 +44,8 @@ struct Instant {
   double least_force, most_friction;  // of the feet: vertical force (N), horizontal by vertical force
 };
 
-// The whole robot, with the trunk given this velocity at the start (angular, linear; trunk axes), under the regulator.
-// Feet hold to the ground whatever their forces.
+// Simulates the whole robot under the regulator, with this initial velocity of the trunk (angular, linear; trunk axes).
+// Feet stick to the ground whatever their forces.
 std::vector<Instant> push(
     const Standing& s,
     const Matrix12& K,

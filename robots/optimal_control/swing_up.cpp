@@ -12,7 +12,7 @@ constexpr double kCartPoleStep = 0.01, kPumaStep = 0.005;      // s
 constexpr std::size_t kCartPoleSteps = 400, kPumaSteps = 400;  // 4 s, 2 s
 
 const Force kCartLimit(5);  // N
-// N m. The arm, held out straight, takes 37 N m of the shoulder and 9 N m of the elbow.
+// Torque limits in N m. Holding the arm out straight takes 37 N m at the shoulder and 9 N m at the elbow.
 const Vector6 kPumaLimits = (Vector6() << 20, 20, 8, 2, 2, 2).finished();
 
 constexpr int kMaxIterations = 500;

@@ -1,5 +1,5 @@
-// Two robots swing up from hanging to standing on their heads, with drives that are too weak to lift them there: inputs
-// by iterative LQR, with generated derivatives of forward dynamics.
+// Two robots swing up from hanging to upright with drives that are too weak to lift them there directly. Iterative LQR
+// finds the inputs, with generated derivatives of forward dynamics.
 #pragma once
 
 #include <cart_pole/cart_pole.h>
@@ -12,7 +12,7 @@
 
 namespace optimal_control {
 
-// States are q and qd. An input u of a joint is a force of limit * tanh(u), so that limits hold without constraints.
+// States are q and qd. An input u of a joint is the force limit * tanh(u), so that limits hold without constraints.
 template <int dof, int inputs>
 struct Motion {
   static constexpr int kDof = dof;
@@ -25,8 +25,8 @@ struct Motion {
   }
 };
 
-// The first joints of a robot are driven, as many as there are inputs. A step is one of semi-implicit Euler.
-// `derivatives(q, qd, tau)` and `dynamics(q, qd, tau)` are the generated functions.
+// A step of semi-implicit Euler. The first joints of the robot are driven, one for each input. `derivatives(q, qd,
+// tau)` and `dynamics(q, qd, tau)` are the generated functions.
 template <int dof, int inputs, class Dynamics, class Derivatives>
 auto step_of(
     double h,
@@ -64,7 +64,7 @@ auto step_of(
   };
 }
 
-// The steps of both robots, which the tests examine.
+// The steps of both robots, declared for the tests.
 Eigen::Vector4d cart_pole_step(
     const Eigen::Vector4d& x,
     const Eigen::Matrix<double, 1, 1>& u,

@@ -1,4 +1,4 @@
-// Dynamics of a floating base: the quadruped trots downhill, and the ground pushes against two of its feet.
+// Dynamics of a floating base: the quadruped trots downhill, and the ground pushes two of its feet.
 #include <quadruped/quadruped.h>
 
 #include <iostream>
@@ -19,8 +19,8 @@ int main() {
   }
   const quadruped::JointState rest = quadruped::JointState::Zero();
 
-  // All that concerns the base is in its own coordinates: its velocity (angular, then linear), and gravity, which tells
-  // how the trunk is tilted. Here its nose is 0.17 rad down, and it rolls and sways a little.
+  // All quantities of the base are in its own coordinates: its velocity (angular, then linear), and gravity, which
+  // tells how the trunk is tilted. Here its nose points 0.17 rad down, and it rolls and sways a little.
   const robcogen::Twist base_velocity(Eigen::Vector3d(0.2, 0, 0), Eigen::Vector3d(0, 0.1, 0));
   const robcogen::Gravity gravity = robcogen::gravity_in_base(robcogen::BasePose::from_rpy(0, 0.17, 0));
 
@@ -38,11 +38,11 @@ int main() {
   external[quadruped::Link::RH_lowerleg] =
       robcogen::wrench_on_link(homogeneous::fr_trunk_X_fr_RH_lowerleg(q), hind, force);
 
-  // Joint forces that keep the joints still, and how the base moves then.
+  // Joint forces that keep the joints at rest, and the resulting acceleration of the base.
   const auto held = quadruped::inverse_dynamics(q, rest, rest, base_velocity, gravity, external);
-  // The same forces, forwards: the joints do not accelerate.
+  // Forward dynamics with the same forces: the joints do not accelerate.
   const auto motion = quadruped::forward_dynamics(q, rest, held.tau, base_velocity, gravity, external);
-  // The wrench on the trunk that would keep it still as well.
+  // The wrench on the trunk that would keep it at rest as well.
   const auto missing = quadruped::inverse_dynamics_fully_actuated(
       q, rest, rest, base_velocity, robcogen::SpatialAcceleration(), gravity, external);
 

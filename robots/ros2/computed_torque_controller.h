@@ -1,5 +1,5 @@
-// A controller as ros2_control drives one: configured, activated, then updated in a real-time loop. It knows nothing of
-// ROS; controller_plugin.cpp is the connection.
+// A controller for ros2_control: configured, activated, then updated in a real-time loop. It does not depend on ROS;
+// controller_plugin.cpp connects it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,11 +11,11 @@
 
 namespace demo_arm_control {
 
-// Joint forces by inverse dynamics, with errors that decay as those of critically damped oscillators (Siciliano et al.,
-// Robotics, 2009, 8.5.2), within the limits of the joints.
+// Computes joint forces by inverse dynamics, within the limits of the joints. Errors decay like those of critically
+// damped oscillators (Siciliano et al., Robotics, 2009, 8.5.2).
 class ComputedTorqueController {
  public:
-  // A robot with a fixed base; otherwise std::invalid_argument is thrown.
+  // The robot must have a fixed base; otherwise std::invalid_argument is thrown.
   explicit ComputedTorqueController(robcogen::AnyRobot robot);
 
   // `shoulder/effort`, in the order of the robot's joints.
@@ -23,14 +23,15 @@ class ComputedTorqueController {
   // `shoulder/position`, `shoulder/velocity` of each joint in turn.
   std::vector<std::string> state_interfaces() const;
 
-  // The frequency of the oscillators (rad/s); false where it is not a positive number.
+  // Sets the frequency of the oscillators (rad/s); returns false if it is not a positive number.
   bool configure(double frequency);
-  // Holds the positions that these states have. False where a state is not finite.
+  // Holds the positions of these states. Returns false if a state is not finite.
   bool activate(std::span<const double> states);
-  // Positions to go to (rad, m), between the limits of the joints; false, and nothing changes, where one is not.
+  // Sets the positions to go to (rad, m). Returns false, without a change, if one is not between the limits of its
+  // joint.
   bool set_goal(std::span<const double> positions) noexcept;
-  // Forces (N m, N) for the states, in the orders above. Allocates nothing. False where a state is not finite: the
-  // commands are zero then.
+  // Computes forces (N m, N) for the states, in the orders above. Allocates nothing. Returns false if a state is not
+  // finite; the commands are then zero.
   bool update(std::span<const double> states, std::span<double> commands) noexcept;
 
  private:

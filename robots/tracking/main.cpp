@@ -1,4 +1,4 @@
-// Runs the experiment at two rates under both laws, prints tracking errors and loop times, and draws them.
+// Runs the experiment at two rates with both control laws, prints tracking errors and loop times, and draws them.
 //
 //   hyl_tracking FILE.svg [SECONDS]
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace {
 
-// The value below which this share of all is.
+// The value below which this fraction of all values lies.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = std::ceil(share * static_cast<double>(sorted.size())) - 1;
   return sorted[static_cast<std::size_t>(std::max(place, 0.0))];
@@ -25,7 +25,7 @@ void print_times(const char* name, std::vector<double> nanoseconds) {
       "%-26s %9.0f %9.0f %9.0f\n", name, quantile(nanoseconds, 0.5), quantile(nanoseconds, 0.999), nanoseconds.back());
 }
 
-// The share of the clock itself in the times above.
+// Times of the clock calls themselves, which are part of the times above.
 std::vector<double> clock_times(std::size_t count) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times(count);

@@ -27,12 +27,12 @@ const char* colour(const Result& run) {
   return run.law == Law::inverse_dynamics ? kModel : kNoModel;
 }
 
-// Slow controllers dashed.
+// Curves of slow controllers are dashed.
 std::string style(const Result& run) {
   return "fill=\"none\" " + stroke(colour(run), 1.8, run.rate < 500 ? "stroke-dasharray=\"7 3\"" : "");
 }
 
-// One panel: time to the right, values from `low` to `high` upwards.
+// One panel, with time to the right and values from `low` to `high` upwards.
 struct Panel {
   double top, low, high;
 
@@ -41,7 +41,7 @@ struct Panel {
   }
 };
 
-// Round numbers about `count` in a range: 1, 2 or 5 times a power of ten apart.
+// Distance of about `count` ticks in a range: 1, 2 or 5 times a power of ten.
 double tick_distance(double range, double count) {
   const double power = std::pow(10, std::floor(std::log10(range / count)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -77,7 +77,7 @@ std::string curve(const Panel& panel, const Result& run, const std::string& attr
   return polyline(points, attributes);
 }
 
-// A panel of values of all runs, wide enough for the largest.
+// A panel for values of all runs, large enough for the largest.
 template <class Value>
 Panel panel_of(double top, const std::vector<Result>& runs, const Value& value) {
   double low = HUGE_VAL, high = -HUGE_VAL;

@@ -1,4 +1,4 @@
-// Tracking as a picture in SVG.
+// Tracking as an SVG picture.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tracking {
 
-// What hip and knee should do and do, under both laws, and the errors of all runs below. Text of a complete SVG file;
-// no background, and colours that can be read on white and on black.
+// Draws the desired and the actual motion of hip and knee with both control laws, and below them the errors of all
+// runs. Returns the text of a complete SVG file without background, in colours that can be read on white and on black.
 std::string picture(const std::vector<Result>& runs);
 
-// As in `inverse dynamics, 250 Hz`.
+// The name of a run, such as `inverse dynamics, 250 Hz`.
 std::string name_of(const Result& run);
 
 }  // namespace tracking

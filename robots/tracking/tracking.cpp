@@ -18,12 +18,12 @@ using State = robcogen::State<Robot>;
 using Setpoint = robcogen::Setpoint<Robot>;
 using Eigen::Vector2d;
 
-// SLIDE (m), HFE and KFE (rad): the foot is below the hip, and swings to and fro as the knee bends.
+// SLIDE (m), HFE and KFE (rad): the foot is below the hip, and swings back and forth while the knee bends.
 const JointState kCentre(0.64, -0.65, 1.34);
 const JointState kAmplitude(0, 0.3, 0.4);
 
 constexpr double kFriction = 0.1;      // N m s/rad, in hip and knee
-constexpr double kActuatorLag = 1e-3;  // s, to come within 37 % of a new force
+constexpr double kActuatorLag = 1e-3;  // s, after which 37 % of a change of force remains
 constexpr double kPlantRate = 4000;    // Hz
 constexpr double kSettled = 0.2;       // s: exp(-kPole kSettled) is 3e-4
 
@@ -36,7 +36,7 @@ Setpoint wanted_at(double time) {
   return wanted;
 }
 
-// Force on each joint; that on SLIDE acts on its support. Without a model, `inertia` is the inertia at each joint.
+// Force on each joint; the force on SLIDE acts on its support. Without a model, `inertia` is the inertia at each joint.
 JointState control(Law law, const JointState& inertia, const State& state, const Setpoint& wanted) {
   const robcogen::Gains<Robot> gains = robcogen::critically_damped<Robot>(kPole);
   if (law == Law::inverse_dynamics) return robcogen::computed_torque(Robot(), state, wanted, gains);
@@ -44,7 +44,7 @@ JointState control(Law law, const JointState& inertia, const State& state, const
       gains.stiffness.cwiseProduct(wanted.q - state.q) + gains.damping.cwiseProduct(wanted.qd - state.qd));
 }
 
-// Accelerations with the slider held: H qdd + bias = tau for the joints of the leg alone.
+// Accelerations with the slider held: H qdd + bias = tau for the joints of the leg only.
 JointState held_acceleration(const State& state, const Vector2d& tau) {
   const Eigen::Matrix2d H = hyl::joint_space_inertia(state.q).bottomRightCorner<2, 2>();
   const Vector2d bias = hyl::bias_forces(state.q, state.qd).tail<2>();

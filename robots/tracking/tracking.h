@@ -1,5 +1,6 @@
-// An experiment in simulation: the HyL leg tracks a fast sinusoid (5 Hz) with its hip and knee, its slider held, under
-// two control laws. After Frigerio et al., JOSER 7(1), 2016, 7.4, where the leg of HyQ did so in hardware.
+// An experiment in simulation: the HyL leg tracks a fast sinusoid (5 Hz) with its hip and knee, with the slider held
+// and two control laws. It follows Frigerio et al., JOSER 7(1), 2016, 7.4, who did this with the leg of HyQ in
+// hardware.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@ enum class Law {
   inverse_dynamics,         // computed torque
 };
 
-// Both laws place their poles here, 1/s: they react equally to errors, and differ in the feedforward.
+// Poles of both laws are at -kPole (1/s): they react equally to errors, and differ in the feedforward.
 inline constexpr double kPole = 40;
 inline constexpr double kFrequency = 5;  // Hz, of the motion
 
@@ -27,13 +28,13 @@ struct Result {
   Law law;
   double rate;                    // Hz, of the controller
   std::vector<Instant> instants;  // one each millisecond
-  Eigen::Vector2d rms;            // error of each joint, rad, once the start is forgotten
+  Eigen::Vector2d rms;            // error of each joint, rad, after the initial transient
   Eigen::Vector2d largest;
   std::vector<double> loop_times;  // of the controller's computation, ns, one each cycle
 };
 
-// `rate` divides 4000 Hz. All results except the loop times are the same in every run. Neither law models the friction
-// in the joints and the lag of the actuators.
+// `rate` must divide 4000 Hz. All results except the loop times are the same in every run. Neither law models the
+// friction in the joints or the lag of the actuators.
 Result run(Law law, double rate, double duration);
 
 }  // namespace tracking

@@ -1,7 +1,7 @@
-// What whole-body control asks of a robot on feet, and the points by which it touches the ground.
+// The requirements of whole-body control on a robot on feet, and the points at which it touches the ground.
 //
-// A body names a generated robot and says what the robot's functions do not: where its contact frames are, which points
-// of them touch, and how it stands.
+// A body names a generated robot and adds information that the robot's functions lack: where its contact frames are,
+// which of their points touch the ground, and the standing posture.
 #pragma once
 
 #include <robcogen/generic/state.h>
@@ -27,7 +27,7 @@ concept Body = robcogen::FloatingBase<typename B::Robot> && robcogen::HasForward
   { B::contact_frames(q) } -> std::same_as<std::array<Matrix4d, B::kContacts>>;
   // Points that touch the ground, in coordinates of the contact frame.
   { B::contact_points() } -> std::same_as<std::array<Vector3d, B::kPointsPerContact>>;
-  // How it stands.
+  // The standing posture.
   { B::posture() } -> std::same_as<typename B::Robot::JointState>;
 };
 
@@ -42,7 +42,7 @@ struct Sizes {
   static constexpr int kPoints = B::kContacts * B::kPointsPerContact;
   using Coordinates = Eigen::Matrix<double, kCoordinates, 1>;
   using Rows = Eigen::Matrix<double, kRows, 1>;
-  using PointVector = Eigen::Matrix<double, 3 * kPoints, 1>;  // three elements a point, world axes
+  using PointVector = Eigen::Matrix<double, 3 * kPoints, 1>;  // three elements per point, world axes
 };
 
 template <Body B>
@@ -74,13 +74,13 @@ struct ContactPoints {
     }
   }
 
-  // Velocities of the points in world axes, of rows of contact velocities; its transpose makes contact wrenches of
-  // forces at the points.
+  // Maps rows of contact velocities to velocities of the points in world axes; its transpose maps forces at the points
+  // to contact wrenches.
   Eigen::Matrix<double, 3 * S::kPoints, S::kRows> map = Eigen::Matrix<double, 3 * S::kPoints, S::kRows>::Zero();
   Eigen::Matrix<double, 3, S::kPoints> positions;  // in the world
 };
 
-// A robot that stands: its lowest contact point on the ground, z = 0.
+// The state of a standing robot, whose lowest contact point is on the ground, z = 0.
 template <Body B>
 StateOf<B> standing_state() {
   StateOf<B> state;

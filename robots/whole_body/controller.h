@@ -1,10 +1,11 @@
-// Whole-body control: joint forces that move a robot on feet towards its tasks, with forces of the ground that stay
+// Whole-body control: joint forces that make a robot on feet fulfil its tasks, with forces of the ground that stay
 // within their friction cones.
 //
-// Tasks are accelerations that are linear in those of the base and the joints, a: of the centre of mass and the angular
-// momentum (Orin, Goswami, Lee 2013), of the base's orientation, of feet in the air, of the joints. The least weighted
-// squares of what they miss are sought, subject to the dynamics of the base and to feet that hold to the ground. Forces
-// are combinations, with coefficients x >= 0, of the edges of friction cones, and a least vertical force.
+// Tasks are desired accelerations that are linear in the accelerations a of the base and the joints: of the centre of
+// mass and the angular momentum (Orin, Goswami, Lee 2013), of the base's orientation, of feet in the air, of the
+// joints. The controller minimises the weighted squares of their errors, subject to the dynamics of the base and to
+// feet that stick to the ground. Forces are combinations, with coefficients x >= 0, of the edges of friction cones,
+// plus a least vertical force.
 #pragma once
 
 #include <cmath>
@@ -14,12 +15,12 @@
 
 namespace whole_body {
 
-// What the robot is to do, in the world.
+// The goal of the robot, in the world.
 template <Body B>
 struct Goal {
   Vector3d com, com_velocity = Vector3d::Zero(), com_acceleration = Vector3d::Zero();
   typename B::Robot::JointState posture = B::posture();
-  // Contacts that hold to the ground; the origins of others follow a motion in the air. The base is to be level.
+  // Contacts stick to the ground if they hold; the origins of others follow a motion in the air. The base stays level.
   struct Foot {
     bool holds = true;
     Vector3d position = Vector3d::Zero(), velocity = Vector3d::Zero(), acceleration = Vector3d::Zero();
@@ -28,8 +29,8 @@ struct Goal {
 };
 
 struct Settings {
-  double friction = 0.5;  // of the cones that forces are chosen from
-  // Frequencies (1/s) of the errors of tasks, which are damped critically, and weights of their accelerations.
+  double friction = 0.5;  // of the cones from which forces are chosen
+  // Frequencies (1/s) of the errors of tasks, which are critically damped, and weights of their accelerations.
   double com_frequency = 6, com_weight = 100;
   double momentum_decay = 5, momentum_weight = 1;  // of the angular momentum
   double base_frequency = 12, base_weight = 30;
@@ -37,7 +38,7 @@ struct Settings {
   double foot_frequency = 40, foot_weight = 300;
   double hold_decay = 30;      // 1/s, of velocities of feet that hold
   double force_weight = 1e-6;  // of squares of the coefficients of edges
-  double least_force = 20;     // N, vertical, of each contact that holds: without, it would slide easily
+  double least_force = 20;     // N, vertical, of each contact that holds; without it, the contact would slide easily
 };
 
 template <Body B>
@@ -60,9 +61,9 @@ class Controller {
 
   struct Command {
     JointState tau;                  // N m
-    Coordinates acceleration;        // of the base (spatial), then of the joints, that is expected
-    typename S::PointVector forces;  // of the ground on the points (N), world axes, that are expected
-    robcogen::Wrench missing;        // on the base, that the forces do not give: rounding
+    Coordinates acceleration;        // expected, of the base (spatial), then of the joints
+    typename S::PointVector forces;  // expected, of the ground on the points (N), world axes
+    robcogen::Wrench missing;        // on the base, not provided by the forces because of rounding
     bool is_best;
   };
 
@@ -117,20 +118,20 @@ class Controller {
     typename S::Rows velocity, bias;
   };
 
-  // An acceleration that removes an error and a velocity, damped critically.
+  // An acceleration that removes an error and a velocity error with critical damping.
   template <class Vector>
   static Vector towards(double frequency, const Vector& error, const Vector& velocity_error) {
     return frequency * frequency * error + 2 * frequency * velocity_error;
   }
 
-  // Centre of mass, angular momentum, orientation of the base; in base axes.
+  // Adds tasks of the centre of mass, the angular momentum and the orientation of the base, in base axes.
   void add_balance(
       MotionProgram& program,
       const Robot& robot,
       const typename Robot::JointTrigonometry& at,
       const StateOf<B>& state,
       const Goal<B>& goal) const {
-    // Rates of linear momentum, by the mass, are accelerations of the centre of mass.
+    // The rate of the linear momentum divided by the mass is the acceleration of the centre of mass.
     const auto& pose = state.pose;
     const Eigen::Matrix<double, 6, S::kCoordinates> momentum = robot.centroidal_momentum_matrix(at);
     const Eigen::Matrix<double, 6, 1> bias = robot.centroidal_momentum_bias(at, state.qd, state.base_velocity);
@@ -143,7 +144,7 @@ class Controller {
     program.add_task(
         settings_.com_weight, momentum.template bottomRows<3>() / B::kMass,
         pose.to_base_axes(acceleration) - bias.tail<3>() / B::kMass);
-    // An acceleration, too: by the mass at a distance of some 0.3 m.
+    // The rate of the angular momentum becomes an acceleration, by an inertia of the mass at a distance of some 0.3 m.
     constexpr double kInertia = 0.1 * B::kMass;
     program.add_task(
         settings_.momentum_weight, momentum.template topRows<3>() / kInertia,

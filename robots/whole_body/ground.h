@@ -1,8 +1,8 @@
-// A robot on level ground: rigid contacts that push and do not pull, with Coulomb friction, without rebound.
+// A robot on level ground: rigid contacts that push but do not pull, with Coulomb friction, without rebound.
 //
-// Time stepping (Moreau 1988; Stewart and Trinkle 1996): each step finds impulses p at the contact points for which the
-// velocities at its end, u = u_free + W p, leave the ground or rest on it, and slide only against the largest friction.
-// The impulses are found by projected sweeps (Jean 1999) over the points.
+// Time stepping (Moreau 1988; Stewart and Trinkle 1996): each step finds impulses p at the contact points such that the
+// points, with velocities u = u_free + W p at its end, leave the ground or rest on it, and slide only against the
+// largest friction. Projected sweeps (Jean 1999) over the points find the impulses.
 #pragma once
 
 #include <robcogen/generic/simulation.h>
@@ -23,7 +23,7 @@ class Ground {
 
   double step() const { return step_; }
 
-  // What the ground did in a step.
+  // The action of the ground in a step.
   struct Contact {
     typename S::PointVector forces = S::PointVector::Zero();      // means over the step (N), world axes
     typename S::PointVector velocities = S::PointVector::Zero();  // of the points at its end
@@ -44,7 +44,7 @@ class Ground {
     const ContactPoints<B> points(state);
     const PointMatrix W = points.map * robot.inverse_contact_inertia(at) * points.map.transpose();
     typename S::PointVector u = points.map * robot.contact_velocity(at, qd, base_velocity);
-    typename S::PointVector p = step_ * contact_.forces;  // of the last step
+    typename S::PointVector p = step_ * contact_.forces;  // starts from the last step
     u += W * p;
     contact_.sweeps = sweep(W, points, u, p);
     contact_.forces = p / step_;
@@ -62,8 +62,8 @@ class Ground {
  private:
   using PointMatrix = Eigen::Matrix<double, 3 * S::kPoints, 3 * S::kPoints>;
   static constexpr int kMaxSweeps = 200;
-  static constexpr double kImpulse = 1e-9;  // N s: changes of less end the sweeps
-  static constexpr double kRaise = 0.1;     // of a depth below the ground, in one step
+  static constexpr double kImpulse = 1e-9;  // N s: smaller changes end the sweeps
+  static constexpr double kRaise = 0.1;     // fraction of a depth below the ground that one step removes
 
   int sweep(
       const PointMatrix& W,

@@ -9,7 +9,7 @@ std::array<Matrix4d, 2> Humanoid::contact_frames(const Robot::JointState& q) {
   return {homogeneous::fr_pelvis_X_fr_left_sole(q), homogeneous::fr_pelvis_X_fr_right_sole(q)};
 }
 
-// Of a sole of 0.2 x 0.12 m.
+// The corners of a sole of 0.2 x 0.12 m.
 std::array<Vector3d, 4> Humanoid::contact_points() {
   constexpr double kLength = 0.1, kWidth = 0.06;  // halves
   return {
@@ -17,7 +17,7 @@ std::array<Vector3d, 4> Humanoid::contact_points() {
       Vector3d(-kLength, -kWidth, 0)};
 }
 
-// Knees and elbows bent.
+// A posture with bent knees and elbows.
 Humanoid::Robot::JointState Humanoid::posture() {
   Robot::JointState q = Robot::JointState::Zero();
   for (const Joint hip : {Joint::left_hip_pitch, Joint::right_hip_pitch}) q[index(hip)] = -0.35;

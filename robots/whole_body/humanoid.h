@@ -1,4 +1,4 @@
-// The humanoid on its soles, each of which touches by its four corners.
+// The humanoid on its soles, each of which touches the ground at its four corners.
 #pragma once
 
 #include <humanoid_on_soles/humanoid_on_soles.h>

@@ -1,4 +1,4 @@
-// A quadruped and a humanoid under whole-body control: motions, what they took, and pictures.
+// A quadruped and a humanoid under whole-body control: simulates motions, prints results, and writes pictures.
 //
 //   whole_body FOLDER
 #include <algorithm>

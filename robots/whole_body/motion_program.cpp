@@ -4,7 +4,7 @@
 
 namespace whole_body {
 
-// What no task asks for shall be zero.
+// A small weight keeps accelerations that no task determines at zero.
 constexpr double kSmall = 1e-6;
 
 MotionProgram::MotionProgram(int coordinates, int held)
@@ -30,8 +30,8 @@ void MotionProgram::hold(int first, const MatrixView& A, const VectorView& right
   open_.segment(first, A.rows()).setZero();
 }
 
-// With P the squares: a = wanted + P^-1 A' K^-1 (right + D x - A wanted), with K = A P^-1 A', and x minimises the
-// square of what is in parentheses, weighted by K^-1.
+// With P = squares_: a = wanted + P^-1 A' K^-1 (right + D x - A wanted), where K = A P^-1 A', and x minimises the
+// square of the term in parentheses, weighted by K^-1.
 MotionProgram::Solution MotionProgram::solve(const MatrixView& D, double weight_of_x, NonnegativeVector& x) const {
   const Eigen::LLT<decltype(squares_)> squares(squares_);
   const BoundedVector<kMaxCoordinates> wanted = squares.solve(target_);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kStepsPerControl = 4;
 constexpr int kControlsPerInstant = 20;
 constexpr double kPushTime = 0.1;  // s
-// Of the friction of the ground, that the controller counts on.
+// Fraction of the friction of the ground that the controller uses.
 constexpr double kShare = 0.8;
 
 double seconds() {
@@ -35,14 +35,14 @@ Instant instant_of(
   return instant;
 }
 
-// So has a state that is not finite.
+// Whether the robot has fallen; also true for a state that is not finite.
 template <Body B>
 bool has_fallen(const StateOf<B>& state, const Goal<B>& goal) {
   const bool is_up = state.pose.rotation()(2, 2) > std::cos(0.5) && center_of_mass<B>(state).z() > 0.5 * goal.com.z();
   return !is_up;
 }
 
-// How far points slide while they touch.
+// Records how far points slide while they touch the ground.
 template <Body B>
 class Watch {
  public:

@@ -10,7 +10,7 @@ namespace whole_body {
 inline constexpr double kControlStep = 0.001;  // s
 inline constexpr double kFriction = 0.6;       // of the ground
 
-// What is seen every 20 ms.
+// Recorded every 20 ms.
 struct Instant {
   double time;                                      // s
   Eigen::Vector3d com, goal;                        // centre of mass, and where it should be; world
@@ -27,19 +27,19 @@ struct Motion {
   bool has_fallen = false;  // the simulation ends there: the base tilted by half a radian, or low above the ground
   // Over all steps of the simulation.
   double greatest_slip = 0;      // m, of a point since it touched
-  double greatest_friction = 0;  // horizontal by vertical force, of a point
+  double greatest_friction = 0;  // horizontal divided by vertical force, of a point
   double greatest_depth = 0;     // m, of a point below the ground
   double greatest_torque = 0;    // N m
   double last_speed = 0;         // at the end, of the centre of mass, m/s
-  // Of the momentum (N s): what the ground, gravity and the push gave, and what the centre of mass has.
+  // Momentum (N s) that the ground, gravity and the push gave, and momentum of the centre of mass.
   Eigen::Vector3d momentum_given = {0, 0, 0}, momentum = {0, 0, 0};
-  // Of the controller.
-  double greatest_missing = 0;  // wrench on the base that its forces leave missing (N, N m)
+  // Results of the controller.
+  double greatest_missing = 0;  // wrench on the base that its forces do not provide (N, N m)
   bool is_solved = true;
   std::vector<double> times;  // s, of each call
 };
 
-// A force of some newtons pushes the base for a tenth of a second; afterwards there is time to recover.
+// A force (N) pushes the base for a tenth of a second; afterwards there is time to recover.
 Motion quadruped_stands(const Eigen::Vector3d& push);
 Motion quadruped_trots(const Eigen::Vector3d& push);
 Motion humanoid_stands(const Eigen::Vector3d& push);

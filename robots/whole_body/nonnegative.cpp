@@ -23,7 +23,7 @@ struct FreeSet {
   Index operator[](Index k) const { return at[static_cast<std::size_t>(k)]; }
 };
 
-// Where the gradient of the free variables vanishes.
+// The point at which the gradient of the free variables vanishes.
 NonnegativeVector solution(const NonnegativeMatrix& Q, const NonnegativeVector& c, const FreeSet& free) {
   NonnegativeMatrix part(free.size, free.size);
   NonnegativeVector right(free.size);
@@ -48,7 +48,7 @@ int minimise_nonnegative(const NonnegativeMatrix& Q, const NonnegativeVector& c,
   for (int solved = 1; solved <= 4 * kMaxVariables; ++solved) {
     const NonnegativeVector wanted = solution(Q, c, free);
     if (wanted.minCoeff() < 0) {
-      // As far that way as all stay positive; the variable that ends there is no longer free.
+      // Moves in that direction as far as all variables stay positive; a variable that becomes zero is no longer free.
       double step = 1;
       for (Index i = 0; i < free.size; ++i)
         if (const Index k = free[i]; wanted[k] < 0) step = std::min(step, x[k] / (x[k] - wanted[k]));

@@ -25,7 +25,7 @@ double at_time(const Motion& motion, double time) {
   return kLeft + (kRight - kLeft) * time / motion.instants.back().time;
 }
 
-// Seen from the right and from above.
+// The projection of a point, seen from the right and from above.
 Point seen(double x, const Eigen::Vector3d& p) {
   return {x + kPixelsPerMetre * (p.x() - 0.4 * p.y()), kGround - kPixelsPerMetre * (p.z() + 0.25 * p.y())};
 }
@@ -48,7 +48,7 @@ std::string figures(const Motion& motion) {
   return text;
 }
 
-// Values over time, from `low` to `high`, one curve a name.
+// Values over time, from `low` to `high`, with one curve per name.
 std::string chart(
     const Motion& motion,
     double top,
@@ -75,7 +75,7 @@ std::string chart(
   return text;
 }
 
-// Multiples of a round number, three of them or some more, that enclose the values.
+// At least three multiples of a round number that enclose the values.
 std::vector<double> ticks(double low, double high) {
   const double rough = (high - low) / 3, power = std::pow(10, std::floor(std::log10(rough)));
   const double step = power * (rough > 5 * power ? 10 : rough > 2 * power ? 5 : 2);

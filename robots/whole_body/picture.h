@@ -1,5 +1,5 @@
-// Motions as pictures in SVG: the robot, its centre of mass, the loads of its feet. No background, and colours that can
-// be read on white and on black.
+// Motions as SVG pictures: the robot, its centre of mass, the loads of its feet. They have no background, and colours
+// that can be read on white and on black.
 #pragma once
 
 #include <string>

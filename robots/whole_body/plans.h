@@ -1,4 +1,4 @@
-// What a robot is to do over time: goals for the whole-body controller.
+// Plans of a robot over time: goals for the whole-body controller.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class Trot {
         continue;
       }
       if (phase < kAimed) {
-        // Where it can stop, and a little back to where it started.
+        // The foot lands where the robot can stop, a little towards where it started.
         target_[c] = com + home_[c] + std::sqrt(com_.z() / 9.81) * velocity + kBack * (com_ - com);
         target_[c].z() = -kPress;
       }
@@ -75,13 +75,13 @@ class Trot {
 
  private:
   static constexpr double kStart = 0.3;                // s, all feet on the ground
-  static constexpr double kStep = 0.3, kSwing = 0.25;  // s, of a pair; for the rest all feet are on the ground
-  static constexpr double kAimed = 0.6;                // of a swing, until where its end is changed
-  static constexpr double kBack = 0.2;                 // of the way to the start, a step
+  static constexpr double kStep = 0.3, kSwing = 0.25;  // s, of a pair; between swings all feet are on the ground
+  static constexpr double kAimed = 0.6;                // fraction of a swing until which its end may change
+  static constexpr double kBack = 0.2;                 // fraction of the distance to the start, per step
   static constexpr double kLift = 0.08;                // m
-  static constexpr double kPress = 0.004;              // m, that feet aim below the ground, to touch it in time
+  static constexpr double kPress = 0.004;              // m below the ground at which feet aim, to touch it in time
 
-  // Rest to rest along a smooth curve; upwards and down again.
+  // A smooth motion from rest to rest, with a rise and fall of the foot.
   static typename Goal<B>::Foot in_air(double s, const Vector3d& from, const Vector3d& to) {
     const double along = s * s * s * (10 - 15 * s + 6 * s * s), up = 16 * s * s * (1 - s) * (1 - s);
     const double along_rate = 30 * s * s * (1 - s) * (1 - s), up_rate = 32 * s * (1 - s) * (1 - 2 * s);
@@ -93,7 +93,7 @@ class Trot {
   }
 
   Vector3d com_;
-  // Of each foot: place at the start, from the centre of mass; where it left the ground; where it will land.
+  // For each foot: initial position relative to the centre of mass, where it left the ground, where it will land.
   std::array<Vector3d, B::kContacts> home_, lifted_, target_;
 };
 

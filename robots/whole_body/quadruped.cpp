@@ -10,7 +10,7 @@ std::array<Matrix4d, 4> Quadruped::contact_frames(const Robot::JointState& q) {
       homogeneous::fr_trunk_X_fr_LH_foot(q), homogeneous::fr_trunk_X_fr_RH_foot(q)};
 }
 
-// Knees inwards, feet near below the hips.
+// A posture with knees inwards and feet about below the hips.
 Quadruped::Robot::JointState Quadruped::posture() {
   Robot::JointState q;
   for (const robcogen::Limb& leg : Robot::limbs) {

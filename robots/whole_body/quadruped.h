@@ -1,4 +1,4 @@
-// The quadruped on its feet, which touch by points.
+// The quadruped on its feet, which are contact points.
 #pragma once
 
 #include <quadruped_on_feet/quadruped_on_feet.h>

@@ -11,7 +11,7 @@
 namespace robcogen::backend {
 namespace {
 
-// The library in C, and what CasADi loads of it.
+// The library in C, and the file through which CasADi loads it.
 std::vector<OutputFile> print_c(const Library& library) {
   std::vector<OutputFile> files = c::print(library);
   files.push_back(casadi::print(library));

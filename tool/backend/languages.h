@@ -10,13 +10,13 @@ namespace robcogen::backend {
 
 struct Language {
   std::string name;                      // as on the command line
-  std::vector<std::string> groups = {};  // which it offers; empty: all
+  std::vector<std::string> groups = {};  // the groups that it offers; empty: all
   Features features = {};
-  bool takes_transforms = false;  // prints libraries with no robot: inputs of role `variables`
+  bool takes_transforms = false;  // prints libraries without a robot, whose inputs have role `variables`
   std::vector<OutputFile> (*print)(const Library& library) = nullptr;
 };
 
-// The C++ of a library is compiled by the build and comes first.
+// C++ comes first, because the build compiles it.
 const std::vector<Language>& languages();
 
 }  // namespace robcogen::backend

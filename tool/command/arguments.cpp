@@ -110,7 +110,7 @@ void append_numbers(
   }
 }
 
-// Of unit length, if they nearly were.
+// Normalises quaternions that are nearly of unit length, and refuses others.
 void normalise(const JsonValue& value, const Argument& a, std::vector<double>& numbers) {
   constexpr double kNearly = 1e-6;
   for (const int first : a.quaternions) {
@@ -137,7 +137,7 @@ std::vector<double> vector_from(const JsonValue& value, const Argument& a) {
   return numbers;
 }
 
-// From rows to columns.
+// Converts rows of numbers to an array column by column.
 std::vector<double> square_from(const JsonValue& value, const Argument& a) {
   const std::size_t n = a.length;
   if (!value.is_array() || value.values().size() != n) refuse_shape(value, a.name, shape_text(a));
@@ -150,7 +150,7 @@ std::vector<double> square_from(const JsonValue& value, const Argument& a) {
   return columns;
 }
 
-// `values`: nullptr when the state does not have the argument.
+// `values` is nullptr if the state does not have the argument.
 std::vector<double> by_name(const JsonValue* values, const Argument& a, const JsonValue& state) {
   std::vector<std::optional<double>> numbers = a.defaults;
   if (values && !values->is_object()) refuse_shape(*values, a.name, shape_text(a));

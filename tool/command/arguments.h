@@ -16,19 +16,19 @@ struct Argument {
   enum class Shape {
     vector,           // an array of numbers
     square,           // rows of numbers
-    numbers_by_name,  // an object of names, a number each
-    vectors_by_name,  // an object of names, an array of numbers each
+    numbers_by_name,  // an object with one number per name
+    vectors_by_name,  // an object with an array of numbers per name
   };
   std::string name;
   Shape shape = Shape::vector;
   std::string meaning;                // with units and coordinates
   std::vector<std::string> elements;  // vectors: the names of the numbers, such as joints; by name: the names
-  std::size_t length = 0;             // of a vector, of a row, of the vector of a name
-  // The default of each number; nullopt when the state must give it. A state gives vectors and squares as a whole or
-  // not at all.
+  std::size_t length = 0;             // of a vector, of a row, or of the vector of each name
+  // The default of each number; nullopt if the state must give it. A state gives vectors and squares as a whole or not
+  // at all.
   std::vector<std::optional<double>> defaults;
-  std::vector<int> quaternions = {};  // of a vector: where four numbers begin that are a unit quaternion
-  int followers = 0;                  // of a vector: its last numbers, which follow the others and may be left out
+  std::vector<int> quaternions = {};  // of a vector: where the four numbers of each unit quaternion begin
+  int followers = 0;                  // of a vector: how many of its last numbers follow the others and may be left out
 
   bool is_required() const;
 };
@@ -37,10 +37,10 @@ struct Argument {
 struct Signature {
   std::string function;
   std::vector<Argument> arguments;
-  const model::KinematicTree* tree = nullptr;  // of a robot, which outlives this
+  const model::KinematicTree* tree = nullptr;  // of a robot; must outlive this
 };
 
-// For a function of a robot, from all its overloads: arguments that only some of them take have a default.
+// The signature of a robot's function, from all its overloads. Arguments that only some of them take have a default.
 Signature signature_of(
     const std::string& function,
     const std::vector<const symbolic::Program*>& overloads,
@@ -50,9 +50,9 @@ Signature signature_of(
     const symbolic::Program& program,
     const model::CoordinateTransforms& document);
 
-// The inputs of the function from an object of arguments. Quaternions whose norm is within 1e-6 of one are normalised;
-// followers that are left out are where their loops close.
-// Throws the Failure of refuse_input for an unknown or missing argument, for a wrong shape, and for other quaternions.
+// The inputs of the function, from an object of arguments. Quaternions whose norm is within 1e-6 of one are normalised.
+// Followers that are left out get the positions at which their loops close. Throws the Failure of refuse_input for an
+// unknown or missing argument, for a wrong shape, and for a quaternion of another norm.
 symbolic::Arrays<double> arguments_from(const JsonValue& object, const Signature& signature);
 
 }  // namespace robcogen::command

@@ -58,7 +58,7 @@ std::string unknown_option(const CLI::App& application, const std::string& argum
       did_you_mean(name, option_names(chosen.empty() ? application : *chosen.front())));
 }
 
-// The first of the unparsed words that explains the fault; empty when there is none.
+// Explains the fault by the first of the unparsed words that does; empty if there is none.
 std::string explain_leftover(const CLI::App& application) {
   const std::vector<CLI::App*> chosen = application.get_subcommands();
   const std::vector<std::string> left = (chosen.empty() ? application : *chosen.front()).remaining();
@@ -80,7 +80,7 @@ std::string explain(const CLI::App& application, const CLI::ParseError& fault) {
 
 // ---- Options that several subcommands share.
 
-// A value of an option that is one of these words.
+// Accepts a value of an option that is one of these words.
 CLI::Validator one_of(std::vector<std::string> words) {
   const std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
   const auto check = [words = std::move(words)](const std::string& word) -> std::string {

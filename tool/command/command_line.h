@@ -1,4 +1,4 @@
-// The command line: which subcommand runs, with which options.
+// The command line: which subcommand runs, and with which options.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace robcogen::command {
 
-// What the arguments ask for, ready to run; for --help and --version, what prints these. A Failure that says what is
-// wrong with the arguments and what to write instead.
+// Parses the arguments and returns the action that they ask for, ready to run. For --help and --version, the action
+// prints the answer. Throws a Failure that says what is wrong with the arguments and what to write instead.
 std::function<Status()> parse_command_line(int argc, char** argv);
 
 }  // namespace robcogen::command

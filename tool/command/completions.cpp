@@ -7,7 +7,7 @@
 namespace robcogen::command {
 namespace {
 
-// A function that both bash and, with bashcompinit, zsh call. Where it knows nothing, the shell completes files.
+// A function that bash calls, and zsh with bashcompinit. If it has no suggestion, the shell completes files.
 std::string in_bash(const CLI::App& application) {
   std::string commands, values, options;
   for (const CLI::App* subcommand : subcommands_of(application)) {
@@ -71,8 +71,8 @@ const std::vector<std::string>& shells() {
 std::string completions(const CLI::App& application, const std::string& shell) {
   if (shell == "fish") return in_fish(application);
   if (shell == "bash") return in_bash(application);
-  // Also where zsh finds functions by their file names: the first completion calls the file, which is to complete at
-  // once.
+  // This also works where zsh finds functions by their file names: the first completion calls the file, which must
+  // complete at once.
   return "#compdef robcogen\n(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
          "autoload -U +X bashcompinit && bashcompinit\n" +
          in_bash(application) +

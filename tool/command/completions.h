@@ -1,4 +1,4 @@
-// Completion of the command line in shells, from its own description.
+// Completion of the command line in shells, derived from its own description.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,10 +7,10 @@
 
 namespace robcogen::command {
 
-// The shells that there are scripts for.
+// The shells for which there is a script.
 const std::vector<std::string>& shells();
 
-// A script for one of them to read: subcommands, options, and the values of options that have a choice.
+// A script for one of these shells. It completes subcommands, options, and the values of options that have a choice.
 std::string completions(const CLI::App& application, const std::string& shell);
 
 }  // namespace robcogen::command

@@ -64,7 +64,7 @@ void require_values(const driver::Model& model, const Robot& robot) {
           model.file.string(), robot.tree.name, fmt::join(names, ", "))};
 }
 
-// Fails where the robot has loops.
+// Fails if the robot has loops.
 void require_no_loops(const driver::Model& model, const Robot& robot, std::string_view reason) {
   if (robot.tree.loops.empty()) return;
   throw Failure{
@@ -73,7 +73,7 @@ void require_no_loops(const driver::Model& model, const Robot& robot, std::strin
                        robot.tree.name, robot.tree.loops.front().name)};
 }
 
-// Fails where URDF+ cannot say a loop.
+// Fails if URDF+ cannot express a loop.
 void require_hinges(const driver::Model& model, const Robot& robot) {
   for (const model::LoopJoint& loop : robot.tree.loops) {
     if (exporting::may_be_urdf_loop(robot.tree, loop)) continue;
@@ -91,7 +91,7 @@ void require_hinges(const driver::Model& model, const Robot& robot) {
   }
 }
 
-// Readers of plain URDF pass over the elements of URDF+: one note.
+// Adds one note: readers of plain URDF ignore the elements of URDF+.
 void mention_urdf_plus(const Robot& robot, Diagnostics& diagnostics) {
   if (robot.tree.loops.empty()) return;
   diagnostics.note(
@@ -99,7 +99,7 @@ void mention_urdf_plus(const Robot& robot, Diagnostics& diagnostics) {
       "loops are elements of URDF+: readers of plain URDF leave them open, and the joints that follow move freely");
 }
 
-// Fails where a joint follows several others in a way that URDF+ does not have.
+// Fails if a joint follows several others in a way that URDF+ cannot express.
 void require_couplings(const driver::Model& model, const Robot& robot) {
   for (const model::Coupling& coupling : robot.tree.couplings) {
     if (exporting::has_urdf_form(robot.tree, coupling)) continue;
@@ -137,7 +137,7 @@ std::vector<std::string> origin(const ConvertOptions& options) {
   return {fmt::format("// Converted from {}.", fs::path(options.from).filename().string())};
 }
 
-// What URDF cannot say of drives: one warning.
+// Adds one warning that lists the parts of drives that URDF cannot express.
 void mention_lost_drives(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<std::string> lost;
   const auto add = [&](const model::Joint& joint, const char* what, bool given) {
@@ -155,7 +155,7 @@ void mention_lost_drives(const Robot& robot, Diagnostics& diagnostics) {
       fmt::format("a URDF cannot hold these properties of drives, which are left out: {}", fmt::join(lost, ", ")));
 }
 
-// A robot document's dynamics include damping and friction: one note where those of the URDF did not.
+// Adds one note if the dynamics of the URDF do not include damping and friction, because those of a robot document do.
 void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
   if (robot.tree.uses_passive_forces) return;
   for (const model::Joint& joint : robot.tree.joints) {
@@ -167,7 +167,7 @@ void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
-// The document declares joints in another order than the model, which changes the order of q: one note.
+// Adds one note if the document declares joints in another order than the model, which changes the order of q.
 void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
   if (std::is_sorted(order.begin(), order.end())) return;

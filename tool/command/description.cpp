@@ -6,7 +6,7 @@
 namespace robcogen::command {
 namespace {
 
-// What the description of a check lists: `TEXT:{cpp,matlab} ...`
+// The values that the description of a check lists: `TEXT:{cpp,matlab} ...`
 std::vector<std::string> values_of(const std::string& type) {
   std::vector<std::string> values;
   const std::size_t open = type.find('{'), close = type.find('}');

@@ -1,4 +1,4 @@
-// The command line as data, from its own declaration: for completions and the manual page.
+// The command line as data, derived from its own declaration, for completions and the manual page.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,9 +9,9 @@ namespace robcogen::command {
 
 struct OptionDescription {
   std::string short_name;  // `-o`, or empty
-  std::string name;        // `--output`; of what has a place instead of a name, `model`
+  std::string name;        // `--output`; of a positional argument, `model`
   std::string description;
-  std::vector<std::string> values;  // of which one must be given; empty: anything, such as a file
+  std::vector<std::string> values;  // the allowed values; empty: anything, such as a file
   bool takes_value = false;
   bool is_positional = false;
 };
@@ -20,7 +20,7 @@ std::vector<OptionDescription> options_of(const CLI::App& subcommand);
 
 std::vector<const CLI::App*> subcommands_of(const CLI::App& application);
 
-// Gives every subcommand, and the program itself, examples at the end of its help.
+// Adds examples to the end of the help of every subcommand and of the program itself.
 void add_examples(CLI::App& application);
 
 }  // namespace robcogen::command

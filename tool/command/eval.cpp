@@ -48,7 +48,7 @@ std::string array_text(const symbolic::OutputArray& array, const std::vector<dou
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// The line of results; `line` is the line of the state.
+// The line of results; `line` is the line number of the state.
 std::string result_text(const EvaluableFunction& function, const symbolic::Arrays<double>& inputs, std::size_t line) {
   const symbolic::Arrays<double> results = symbolic::interpret<double>(function.program, inputs);
   std::vector<std::string> members;

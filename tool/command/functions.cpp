@@ -26,7 +26,7 @@ EvaluableFunction evaluable(
   return {std::move(signature), pass::run(std::move(overloads.back().program), passes)};
 }
 
-// The update of that name among those that compute the cache of a robot with parameters.
+// The update of this name, among those that compute the cache of a robot with parameters.
 std::optional<EvaluableFunction> find_update(
     const driver::Model& model,
     const std::string& name,

@@ -1,4 +1,4 @@
-// A single function of a model by the name that `ops` prints, ready to be evaluated.
+// Finds a single function of a model by the name that `ops` prints, ready to be evaluated.
 #pragma once
 
 #include "command/arguments.h"
@@ -11,7 +11,7 @@ struct EvaluableFunction {
   symbolic::Program program;  // takes all arguments of the signature
 };
 
-// Throws a Failure, with a hint, when the model has no such function. For a robot, also between frames that its
+// Throws a Failure with a hint if the model has no such function. A robot's function may be between frames that its
 // list of desired transforms does not have. Traces only this function.
 EvaluableFunction find_function(const driver::Model& model, const std::string& name, const driver::Steps& steps);
 

@@ -54,7 +54,7 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// Without a list the default ones, and those of contacts where there are some.
+// Without a list, these are the default groups, and the group of contacts if contact frames are given.
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
   if (!options.groups.empty() || options.model.contacts.empty()) return options.groups;
   std::vector<std::string> groups = algorithm::default_groups();
@@ -62,7 +62,7 @@ std::vector<std::string> asked_groups(const GenerateOptions& options) {
   return groups;
 }
 
-// The groups that were named, in canonical order. A Failure when the language does not offer one of them.
+// The groups that were named, in canonical order. Throws a Failure if the language does not offer one of them.
 std::vector<std::string> groups_of(const backend::Language& language, const std::vector<std::string>& asked) {
   std::vector<std::string> ordered;
   for (const std::string& group : algorithm::groups()) {
@@ -100,8 +100,8 @@ driver::Primitives primitives_of(const GenerateOptions& options) {
   return options.primitives == "left" ? model::MovedFramePosition::left : model::MovedFramePosition::right;
 }
 
-// In some languages, names of files follow from the model: files of an earlier run that are no longer generated must be
-// removed. Every run writes a list of its files beside them.
+// In some languages, the names of files depend on the model. Files of an earlier run that are no longer generated must
+// be removed, so every run writes a list of its files next to them.
 struct Listed {
   fs::path list;                   // relative to the output folder
   std::vector<std::string> files;  // of this run
@@ -188,7 +188,7 @@ void require_options_of_transforms(const GenerateOptions& options) {
               "robcogen: error: --language {} applies to robots only, not to motions and transforms", language->name)};
 }
 
-// An option that none of the languages heeds would be ignored.
+// Refuses an option that none of the languages heeds, because it would be ignored.
 void require_languages(const GenerateOptions& options) {
   struct Heeded {
     bool is_given;
@@ -209,7 +209,7 @@ void require_languages(const GenerateOptions& options) {
                            fmt::join(h.languages, " or "), fmt::join(options.languages, ", "))};
 }
 
-// The files whose names follow from the options only: those of C++, C and Python.
+// Lists the files whose names depend on the options only: those of C++, C and Python.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {

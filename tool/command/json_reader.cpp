@@ -49,7 +49,8 @@ void refuse_input(std::size_t line, const std::string& message) {
 
 namespace {
 
-// NaN and infinity as other programs write them, as far as the parser reads them; `token` may begin earlier.
+// Whether the token ends in NaN or infinity as other programs write them, up to where the parser stopped. The token may
+// begin earlier.
 bool is_special(const std::string& token) {
   std::size_t begin = token.size();
   while (begin > 0 && std::isalpha(static_cast<unsigned char>(token[begin - 1]))) --begin;
@@ -74,7 +75,7 @@ class JsonReader::Iterator {
     reader_->take();
     return *this;
   }
-  // Compared with the end only.
+  // Only compared with the end.
   bool operator==(const Iterator& /*end*/) const { return reader_->peek() == EOF || reader_->size_ >= kMaxSize; }
   bool operator!=(const Iterator& end) const { return !(*this == end); }
 
@@ -98,7 +99,7 @@ class JsonReader::Handler : public nlohmann::json_sax<json> {
     text.content->text = std::move(value);
     return add(std::move(text));
   }
-  bool binary(binary_t& /*value*/) override { return false; }  // not in text
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has none
 
   bool start_object(std::size_t /*size*/) override { return open(JsonValue::Kind::object); }
   bool end_object() override { return close(); }
@@ -114,7 +115,8 @@ class JsonReader::Handler : public nlohmann::json_sax<json> {
   bool parse_error(std::size_t /*position*/, const std::string& token, const json::exception& fault) override {
     if (fault.id == 406)
       refuse_input(reader_.line_, fmt::format("the number {} is beyond the range of double [number-overflow]", token));
-    // `[json.exception.parse_error.101] parse error at line 1, column 8: what is wrong`, of the object's own lines.
+    // `[json.exception.parse_error.101] parse error at line 1, column 8: what is wrong`; the line is counted in the
+    // object.
     const std::string what = fault.what();
     const std::size_t column = what.find(", column ");
     const std::size_t colon = column == std::string::npos ? column : what.find(": ", column);
@@ -130,7 +132,7 @@ class JsonReader::Handler : public nlohmann::json_sax<json> {
     return {kind, reader_.line_, 0, std::make_unique<JsonValue::Content>()};
   }
 
-  // The parser has read the byte after a number, to see its end.
+  // The parser has already read the byte after a number, to find its end.
   bool add_number(double value) {
     return add({JsonValue::Kind::number, reader_.line_ - (reader_.ended_line_ ? 1 : 0), value});
   }
@@ -160,7 +162,7 @@ class JsonReader::Handler : public nlohmann::json_sax<json> {
 
   const JsonReader& reader_;
   std::vector<JsonValue> open_;
-  std::vector<std::set<std::string>> known_;  // names of each
+  std::vector<std::set<std::string>> known_;  // member names of each
   JsonValue result_;
 };
 
@@ -182,7 +184,7 @@ void JsonReader::take() {
   if (peek() != EOF) ahead_.reset();
 }
 
-// The byte that follows.
+// Returns the byte that follows the white space, without taking it.
 int JsonReader::skip_space() {
   for (size_ = 0; peek() == ' ' || peek() == '\t' || peek() == '\r' || peek() == '\n'; take())
     if (size_ == kMaxSize)
@@ -197,7 +199,7 @@ void JsonReader::begin_array() {
   if (is_over_) take();
 }
 
-// Past the comma or the bracket after an object; false at the end.
+// Takes the comma or the bracket after an object. Returns false at the end of the array.
 bool JsonReader::go_on_in_array() {
   const int mark = skip_space();
   if (mark != ',' && mark != ']') refuse_input(line_, "expected ',' or ']' after an object of the array [json-syntax]");

@@ -1,5 +1,5 @@
-// Reads JSON values one after the other from a stream, which may be a pipe without an end: each value is returned as
-// soon as its last byte has arrived.
+// Reads JSON values one after the other from a stream, which may be an endless pipe: each value is returned as soon as
+// its last byte has arrived.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace robcogen::command {
 
-// A value, and the line that it is on.
+// A value, and the line on which it stands.
 struct JsonValue {
   enum class Kind { null, boolean, number, text, array, object };
-  // Members that a number does not have; separate, so that an array of numbers is small.
+  // The members that a number does not have. They are separate, so that an array of numbers is small.
   struct Content {
     std::string text;
     std::vector<std::string> names;  // of an object's members
@@ -22,7 +22,7 @@ struct JsonValue {
   };
 
   Kind kind = Kind::null;
-  std::size_t line = 0;  // from 1; of an array or object, where it begins
+  std::size_t line = 0;  // from 1; of an array or object, its first line
   double number = 0;
   std::unique_ptr<Content> content = nullptr;  // of texts, arrays and objects
 
@@ -31,7 +31,7 @@ struct JsonValue {
   bool is_object() const { return kind == Kind::object; }
   const std::vector<JsonValue>& values() const { return content->values; }
   const std::vector<std::string>& names() const { return content->names; }
-  // The member of an object; nullptr when there is none of this name.
+  // The member of an object; nullptr if it has none of this name.
   const JsonValue* find(const std::string& name) const;
 };
 
@@ -50,10 +50,10 @@ class JsonReader {
   // The messages call the stream <standard input>.
   explicit JsonReader(std::FILE* file) : file_(file) {}
 
-  // The next object, of a sequence of objects (one a line, or with any white space between them) or of one array of
-  // objects; nullopt at the end. A Failure with the line for text that is not JSON, a name that is given twice in
-  // an object, a number out of the range of double, and an object beyond the limits. A Failure with wrong_usage when
-  // reading fails.
+  // The next object, from a sequence of objects (one per line, or with any white space between them) or from a single
+  // array of objects; nullopt at the end. Throws a Failure with the line for text that is not JSON, for a name that is
+  // given twice in an object, for a number outside the range of double, and for an object beyond the limits. Throws a
+  // Failure with wrong_usage if reading fails.
   std::optional<JsonValue> next();
 
   // The line of the last byte, from 1.
@@ -71,7 +71,7 @@ class JsonReader {
   JsonValue read_object();
 
   std::FILE* file_;
-  std::optional<int> ahead_;  // read, not taken
+  std::optional<int> ahead_;  // read, but not taken
   std::size_t line_ = 1;
   bool ended_line_ = false;  // the byte taken last ended a line
   std::size_t size_ = 0;     // bytes since the last value

@@ -9,7 +9,7 @@
 namespace robcogen::command {
 namespace {
 
-// As soon as there is something: an editor waits for the answer before it goes on.
+// Returns as soon as there is any input, because an editor waits for the answer before it goes on.
 std::size_t read_input(char* bytes, std::size_t size) {
   while (true) {
     const ssize_t count = ::read(STDIN_FILENO, bytes, size);

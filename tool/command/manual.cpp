@@ -10,7 +10,7 @@
 namespace robcogen::command {
 namespace {
 
-// Text as roff shows it unchanged.
+// The text, escaped so that roff shows it unchanged.
 std::string in_roff(std::string text) {
   constexpr std::string_view kEllipsis = "\u2026";
   for (std::size_t at = text.find(kEllipsis); at != std::string::npos; at = text.find(kEllipsis))
@@ -33,7 +33,7 @@ std::string in_roff(std::string text) {
   return result;
 }
 
-// Lines as they stand, indented.
+// Lines that roff shows as they stand, indented.
 std::string verbatim(const std::string& lines) {
   return ".PP\n.nf\n" + in_roff(lines) + "\n.fi\n";
 }

@@ -1,4 +1,4 @@
-// The manual page of the command line, from its own description.
+// The manual page of the command line, derived from its own description.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 
 namespace robcogen::command {
 
-// robcogen.1, in the macros man(7).
+// The page robcogen.1, in man(7) macros.
 std::string manual(const CLI::App& application);
 
 }  // namespace robcogen::command

@@ -28,7 +28,7 @@ std::string loss_of_output(int number) {
   throw Failure{wrong_usage, loss_of_output(number)};
 }
 
-// Flushing reports a stream that can be opened but not written, even when nothing was written.
+// Whether standard output is open but not writable. Flushing reports such a stream even if nothing was written.
 bool takes_nothing() {
   return ::write(STDOUT_FILENO, "", 0) < 0;
 }
@@ -36,7 +36,7 @@ bool takes_nothing() {
 }  // namespace
 
 void prepare_streams() {
-  // Opened in the wrong direction, so that use of the closed stream remains an error.
+  // A closed stream is opened in the wrong direction, so that using it remains an error.
   for (const auto& [stream, direction] :
        {std::pair(STDIN_FILENO, O_WRONLY), std::pair(STDOUT_FILENO, O_RDONLY), std::pair(STDERR_FILENO, O_RDONLY)})
     if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", direction));

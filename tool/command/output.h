@@ -1,5 +1,5 @@
 // Standard output and standard error. Every subcommand writes through these functions, so that a full disk, a closed
-// stream or a reader that has exited leads to exit status 2 and one message.
+// stream or a reader that has exited leads to exit status 2 and a single message.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,11 +11,11 @@
 
 namespace robcogen::command {
 
-// Call it before any file is opened: a file must not take the place of a standard stream that is closed, and a pipe
-// without a reader must be an error of writing, not a signal.
+// Must be called before any file is opened: a file must not take the place of a closed standard stream, and a pipe
+// without a reader must cause a write error, not a signal.
 void prepare_streams();
 
-// To standard output. A Failure when writing fails.
+// Writes to standard output. Throws a Failure if writing fails.
 void write_output(std::string_view text);
 void flush_output();
 
@@ -24,11 +24,11 @@ void print_output(fmt::format_string<Arguments...> format, Arguments&&... argume
   write_output(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-// To standard error; never throws.
+// Writes to standard error; never throws.
 void report(std::string_view text);
 
-// The last step of main: `status`, or wrong_usage when standard output or a message was lost. Reports it, unless
-// main has reported a Failure about it.
+// The last step of main. Returns `status`, or wrong_usage if standard output or a message was lost. Reports the loss,
+// unless main has reported a Failure about it.
 Status close_streams(Status status);
 
 }  // namespace robcogen::command

@@ -1,4 +1,4 @@
-// What has no spherical joints yet.
+// Refuses robots with spherical joints, where these are not supported.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robcogen::command {
 
-// A Failure `<place>: error: <reason>: '<joint>' of robot '<name>' is spherical`, with the hint, at the first spherical
-// joint of the robot; nothing where it has none.
+// Throws a Failure `<place>: error: <reason>: '<joint>' of robot '<name>' is spherical`, with the hint, at the first
+// spherical joint of the robot. Does nothing if the robot has none.
 void refuse_spherical_joints(const model::KinematicTree& tree, const std::string& reason, const std::string& hint = "");
 
 }  // namespace robcogen::command

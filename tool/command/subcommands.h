@@ -14,7 +14,7 @@ struct GenerateOptions {
   ModelOptions model;
   std::string output;
   driver::LibraryNames names;
-  std::vector<std::string> groups;  // empty: the default ones, of those that a language offers
+  std::vector<std::string> groups;  // empty: the default groups, as far as a language offers them
   std::vector<std::string> languages = {"cpp"};
   std::string primitives;  // convention; empty: no products
   std::string depfile, depfile_target, stamp;
@@ -23,7 +23,7 @@ struct GenerateOptions {
   bool is_double_only = false;
   bool list_outputs = false;
 };
-// Without a name, the code is called after the file of the model.
+// Without a name, the code is named after the file of the model.
 Status generate(GenerateOptions options);
 
 struct CheckOptions {
@@ -38,7 +38,7 @@ Status check(const CheckOptions& options);
 struct PrintOptions {
   ModelOptions model;
   std::string program;
-  bool expand = false;    // put the parts in
+  bool expand = false;    // replace parts by their content
   bool original = false;  // refuse what the first RobCoGen does not read
 };
 Status print(const PrintOptions& options);
@@ -57,13 +57,13 @@ struct EvalOptions {
 };
 Status eval(const EvalOptions& options);
 
-// Of pictures of a robot.
+// The options of pictures of a robot.
 struct ViewOptions {
   ModelOptions model;
   std::string output, depfile;
-  std::vector<std::string> q, parameters;  // `0.1`, one each, or `KFE=0.1`
+  std::vector<std::string> q, parameters;  // values in order, `0.1`, or by name, `KFE=0.1`
   double azimuth = -60, elevation = 20;    // of the viewer, degrees
-  bool pattern = false;                    // also that of the joint-space inertia matrix
+  bool pattern = false;                    // also draw the pattern of the joint-space inertia matrix
 };
 Status draw(const ViewOptions& options);
 Status view(const ViewOptions& options);
@@ -79,8 +79,8 @@ struct ConvertOptions {
 };
 Status convert(const ConvertOptions& options);
 
-// Over standard input and output, with folders to search for imported documents. wrong_input when the editor ends the
-// session without `shutdown`.
+// Serves over standard input and output. Imported documents are also searched in these folders. Returns wrong_input if
+// the editor ends the session without `shutdown`.
 Status language_server(const std::vector<std::filesystem::path>& import_folders);
 
 }  // namespace robcogen::command

@@ -30,7 +30,7 @@ double number(const std::string& option, const std::string& text) {
   return value;
 }
 
-// `0.1,0.2` in the order of the names, or `KFE=0.2`: into the values.
+// Assigns `0.1,0.2` in the order of the names, or `KFE=0.2`, to the values.
 void assign(
     const std::string& option,
     const std::vector<std::string>& given,
@@ -59,7 +59,7 @@ void assign(
   }
 }
 
-// Of unit length: few digits are typed.
+// Makes the quaternion of unit length, because users type few digits.
 void normalise(const std::vector<std::string>& names, std::size_t first, std::vector<double>& q) {
   const double norm = std::hypot(std::hypot(q[first], q[first + 1]), std::hypot(q[first + 2], q[first + 3]));
   if (!(norm > 0) || std::isinf(norm))
@@ -85,8 +85,8 @@ std::vector<double> parameters(const ViewOptions& options, const view::ViewedRob
   return values;
 }
 
-// Zero, or where loops are assembled, or the limit that is nearest to it; of spherical joints no turn. Joints that
-// follow are where loops close.
+// The positions that are not given are zero, or those where loops are assembled, or the limit nearest to these;
+// spherical joints are not rotated. Joints that follow others are placed where loops close.
 std::vector<double> positions(
     const ViewOptions& options,
     const view::ViewedRobot& robot,

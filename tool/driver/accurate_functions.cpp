@@ -16,7 +16,7 @@ using algorithm::Formulation;
 using algorithm::RobotFunction;
 using symbolic::AccurateResults;
 
-// The functions of one group by simpler formulations, traced when one of them is first needed.
+// The functions of one group in simpler formulations, which are traced when one of them is first needed.
 class SimplerFunctions {
  public:
   SimplerFunctions(const Robot& robot, std::string group, const Formulation& formulation)
@@ -25,7 +25,7 @@ class SimplerFunctions {
     plain_programs = traced_plainly();
   }
 
-  // Empty for groups that no formulation has a part in.
+  // Empty for groups that do not depend on the formulation.
   std::vector<symbolic::Program> plain_programs;
 
   RobotFunction unsearched(std::size_t index) { return of(functions_unsearched_, unsearched_)[index]; }
@@ -77,7 +77,7 @@ bool measure(RobotFunction& function, const AccurateResults& results) {
   return accuracy.is_kept;
 }
 
-// The function at `index` of its group.
+// Runs the passes on the function, which is at `index` of its group.
 void run_on(
     Function& function,
     std::size_t index,
@@ -95,7 +95,7 @@ void run_on(
     return;
   }
   function.congruent.reset();
-  // Sums in another order lose other digits.
+  // Sums in another order have other rounding errors.
   RobotFunction as_traced = traced;
   as_traced.program = pass::run(std::move(searched), without(passes, "reassociate"));
   const bool keeps_digits = measure(as_traced, *function.results);
@@ -120,7 +120,7 @@ Functions run_accurate_passes(
     const Formulation& formulation,
     const std::vector<std::string>& passes) {
   std::vector<std::string> groups;
-  std::map<std::string, std::vector<std::size_t>> places;  // by group: of its functions in the list
+  std::map<std::string, std::vector<std::size_t>> places;  // by group: the indices of its functions in the list
   for (std::size_t i = 0; i < traced.list.size(); ++i) {
     std::vector<std::size_t>& of_group = places[traced.list[i].traced.group];
     if (of_group.empty()) groups.push_back(traced.list[i].traced.group);

@@ -1,4 +1,4 @@
-// Passes, for as long as they keep the digits of the plain recursions.
+// Runs passes, as long as they keep the accuracy of the plain recursions.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@
 namespace robcogen::driver {
 
 // Runs the passes on the functions of a robot that were traced with this formulation, and measures their rounding
-// errors. A function that loses more than that of the plain formulation is traced again: without the search for frames,
-// then plainly, then without passes. Its program for congruent limbs is dropped then.
+// errors. If a function loses more digits than the plain formulation, it is replaced by the cheaper of two others that
+// do not: the same without the pass that reorders sums, and the one traced without the search for frames. If both lose
+// digits, it is traced plainly, and at last plainly without passes. Its program for congruent limbs is then dropped.
 Functions run_accurate_passes(
     const Robot& robot,
     Functions traced,

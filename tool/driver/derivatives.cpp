@@ -20,7 +20,7 @@ using symbolic::DerivativeMode;
 using symbolic::Program;
 using symbolic::Role;
 
-// Beyond it compilers take minutes for code without loops.
+// Beyond this number, compilers take minutes for the code, which has no loops.
 constexpr std::size_t kMostExpressions = 200'000;
 
 std::string text_of(const Derivative& derivative) {
@@ -83,7 +83,7 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
   if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));
 }
 
-// What is added to the name of the function.
+// The suffix of the function's name.
 std::string suffix_of(const Derivative& derivative) {
   return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
 }
@@ -101,7 +101,7 @@ Program differentiated(
             "code without loops would have more than {} operations, too many to compile [too-many-operations]",
             kMostExpressions));
   result->name = program.name + suffix_of(derivative);
-  // An object of the interface is made of one function's results.
+  // The interface makes an object of these results for the original function only.
   for (symbolic::OutputArray& array : result->outputs) {
     if (array.role == Role::inertia_factor) array.role = Role::matrix;
     if (array.role == Role::inverse_diagonal) array.role = Role::value;
@@ -158,7 +158,7 @@ bool is_identifier(const std::string& text) {
   return !text.empty() && !(text[0] >= '0' && text[0] <= '9');
 }
 
-// Each once.
+// Each derivative once.
 std::vector<Derivative> distinct(const std::vector<Derivative>& list) {
   std::vector<Derivative> result;
   for (const Derivative& d : list) {
@@ -180,7 +180,7 @@ Derivative parse_derivative(const std::string& text) {
                          "function:input,input, such as inverse_dynamics:q,qd [wrong-derivative]",
                          text, message)};
   };
-  // `jacobians::A_J_B:q` as in C++ is the same as `jacobians.A_J_B:q`.
+  // `jacobians::A_J_B:q`, as in C++, means the same as `jacobians.A_J_B:q`.
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) refuse_text("no input to differentiate by");
   Derivative result{dotted("", text.substr(0, colon)), {}};
@@ -205,7 +205,7 @@ std::vector<RobotFunction> derivative_functions(
   std::vector<RobotFunction> list;
   algorithm::Formulation draft = algorithm::plain_formulation();
   draft.is_draft = true;
-  algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: no frames are looked for
+  algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: it does not search for frames
   const DerivativeMode mode = algorithm::derivative_mode(formulations.common());
   const symbolic::FollowerRates rates = algorithm::follower_rates(robot.tree);
   for (const Derivative& derivative : distinct(robot.derivatives)) {

@@ -1,4 +1,4 @@
-// Derivatives of functions that the user asks for.
+// Derivatives of functions, as the user asks for them.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@
 
 namespace robcogen::driver {
 
-// The group of these functions, of robots and of transforms. No robot has them unless they are asked for.
+// The group of these functions, for robots and for transforms. A library has them only if they are asked for.
 inline constexpr const char* kDerivativesGroup = "derivatives";
 
-// `function:input`, `function:input,input`. A Failure for any other text.
+// Parses `function:input` or `function:input,input`. Throws a Failure for any other text.
 Derivative parse_derivative(const std::string& text);
 
-// The functions with the derivatives that are asked for: `f_d_q_qd` for those of `f` by `q` and `qd`, in the scope of
-// f, each overload of f that takes these inputs. Results of f, then for each input, of each of them, a matrix with a
-// row for each element of the result (column by column) and a column for each of the input (symbolic/derivative.h).
-// Throws a Failure, which names `model`, if the robot has no such function, the function no such input, or the program
-// would be too long to compile.
+// The functions with the derivatives that are asked for: `f_d_q_qd` has those of `f` by `q` and `qd`. It is in the
+// scope of f, and there is one for each overload of f that takes these inputs. Its results are those of f, then for
+// each input and each result a matrix with one row per element of the result (column by column) and one column per
+// element of the input (symbolic/derivative.h). Throws a Failure that names `model` if the robot has no such function,
+// if the function has no such input, or if the program would be too long to compile.
 std::vector<algorithm::RobotFunction> derivative_functions(
     const Robot& robot,
     const std::filesystem::path& model,

@@ -19,7 +19,7 @@ constexpr std::array kSuffixes = {
     std::pair(".kindsl", Language::robot), std::pair(".urdf", Language::urdf), std::pair(".motdsl", Language::motions),
     std::pair(".ctdsl", Language::transforms), std::pair(".dtdsl", Language::desired)};
 
-// A Failure for binary files and for UTF-16: their every second byte would be an error of its own.
+// Throws a Failure for binary files and for UTF-16, in which every second byte would be an error of its own.
 void require_text(const Source& source) {
   const std::size_t at = source.text().find('\0');
   if (at == std::string_view::npos) return;
@@ -55,7 +55,7 @@ Language language_of(const std::filesystem::path& file, const Source& source) {
 }
 
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path) {
-  // What is not a file, such as a pipe, can be read once only.
+  // A stream, such as a pipe, can be read only once.
   static std::map<std::filesystem::path, std::shared_ptr<const Source>> streams;
   std::error_code fault;
   const bool is_stream = path == "-" || !std::filesystem::is_regular_file(path, fault);

@@ -1,4 +1,4 @@
-// The documents that a user has, and the languages that they are in.
+// The user's documents, and the languages in which they are written.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace robcogen::driver {
 
 enum class Language { robot, urdf, mjcf, motions, transforms, desired };
 
-// By the suffix of the file's name; nullopt where that says nothing.
+// The language by the suffix of the file's name; nullopt if the suffix is not known.
 std::optional<Language> language_of_suffix(const std::filesystem::path& file);
-// A robot is in the language that its content shows, whatever its suffix: URDF and MJCF by their root elements, and a
-// robot document otherwise.
+// The language of the file. The content decides which language a robot is in, whatever the suffix: the root element
+// shows URDF and MJCF, and anything else is a robot document.
 Language language_of(const std::filesystem::path& file);
 // The same for a file of this text.
 Language language_of(const std::filesystem::path& file, const Source& source);
@@ -23,7 +23,7 @@ constexpr bool is_robot(Language language) {
   return language == Language::robot || language == Language::urdf || language == Language::mjcf;
 }
 
-// The file's text; `-` is standard input. A Failure when it cannot be read or is not text.
+// The text of the file; `-` is standard input. Throws a Failure if the file cannot be read or is not text.
 std::shared_ptr<const Source> read_source(const std::filesystem::path& path);
 
 }  // namespace robcogen::driver

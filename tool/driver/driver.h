@@ -3,7 +3,7 @@
 //     load -> formulate and trace -> optimise -> assemble -> print
 //
 // Each phase is a function from one value to the next (load.h, trace.h, optimise.h, library.h, backend/languages.h).
-// Robots and documents of coordinate transforms go the same way.
+// Robots and documents of coordinate transforms pass through the same phases.
 #pragma once
 
 #include <string>
@@ -16,21 +16,21 @@
 
 namespace robcogen::driver {
 
-// The functions of these groups as programs, by these steps, in the forms that a language takes.
+// The functions of these groups as programs, after these steps, in the forms that a language takes.
 Functions programs(
     const Model& model,
     const std::vector<std::string>& groups,
     const Steps& steps,
     const backend::Features& features = {});
 
-// What a library is to hold.
+// The contents of a library.
 struct LibraryOptions {
   LibraryNames names;
-  std::vector<std::string> groups;  // of robots
+  std::vector<std::string> groups;  // for robots
   Steps steps = {};
   Primitives primitives = std::nullopt;
   bool has_batches = false;
-  std::vector<std::string> levels = {};  // processors besides the baseline
+  std::vector<std::string> levels = {};  // processors in addition to the baseline
   bool has_single_precision = true;
 };
 

@@ -14,7 +14,7 @@ struct Failure {
   std::string message;
 };
 
-// The message, and the hint in a line of its own where there is one.
+// The message, followed by the hint on a line of its own if there is one.
 inline std::string with_hint(const std::string& message, const std::string& hint) {
   return hint.empty() ? message : message + "\nhint: " + hint;
 }

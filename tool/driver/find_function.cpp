@@ -15,21 +15,22 @@ namespace {
 
 using algorithm::RobotFunction;
 
-// The names of functions of two frames, `jacobians.` A `_J_` B, and of one that the base sees, `world.J_` B.
+// The names of functions between two frames, `jacobians.` A `_J_` B, and of functions of one frame seen from the base,
+// `world.J_` B.
 struct NamePattern {
   std::string group;
   std::string prefix;
-  std::string separator;  // empty: of one frame
+  std::string separator;  // empty: the function is of one frame
 
   std::string name(const model::FramePair& pair) const {
     return prefix + (separator.empty() ? "" : pair.left.name) + separator + pair.right.name;
   }
 };
 
-// From the functions between two frames of the robot.
+// The patterns of all functions between frames of the robot.
 std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
   const std::vector<model::Frame> frames = tree.frames();
-  // Of a link that moves, if one does.
+  // A moving link, if there is one.
   const auto last = std::find_if(
       frames.rbegin(), frames.rend(), [](const model::Frame& frame) { return frame.kind == model::Frame::Kind::link; });
   const model::FramePair pair = {frames.front(), *last};
@@ -37,7 +38,7 @@ std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::F
   std::vector<NamePattern> found;
   for (const std::string& group : algorithm::groups_between_frames())
     for (const RobotFunction& f : algorithm::functions(tree, desired, group, formulations)) {
-      if (f.frames.left.name.empty()) continue;  // of the whole robot
+      if (f.frames.left.name.empty()) continue;  // a function of the whole robot
       const std::string before = f.name.substr(0, f.name.size() - pair.right.name.size());
       const bool is_of_two = before.size() > pair.left.name.size() && before.starts_with(pair.left.name);
       if (is_of_two)
@@ -48,7 +49,7 @@ std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::F
   return found;
 }
 
-// A name that matches a pattern with frames of the robot.
+// The frames in a name, if it matches the pattern.
 std::optional<model::FramePair> frames_in(
     const model::KinematicTree& tree,
     const NamePattern& pattern,
@@ -68,8 +69,8 @@ std::optional<model::FramePair> frames_in(
   return std::nullopt;
 }
 
-// All groups, first the one with the name of the function, last those whose functions are between frames: few of them
-// are of the whole robot.
+// All groups. The first is the one with the name of the function. The last are those whose functions are between
+// frames, because few of their functions are of the whole robot.
 std::vector<std::string> groups_of_robot(const std::string& name) {
   const std::vector<std::string>& last = algorithm::groups_between_frames();
   std::vector<std::string> groups = algorithm::groups();
@@ -99,7 +100,7 @@ FoundFunctions find_functions(
     return !found.overloads.empty();
   };
 
-  // Functions of the whole robot have no name with two frames: this test is the fastest.
+  // No function of the whole robot has a name with two frames, and this test is the fastest.
   const std::vector<NamePattern> known = patterns(robot.tree, formulations);
   for (const NamePattern& pattern : known) {
     const std::optional<model::FramePair> pair = frames_in(robot.tree, pattern, name);

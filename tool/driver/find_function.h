@@ -1,4 +1,4 @@
-// The functions of a model by their names.
+// Finds the functions of a model by name.
 #pragma once
 
 #include <filesystem>
@@ -14,14 +14,15 @@ namespace robcogen::driver {
 std::string dotted(const std::string& scope, const std::string& name);
 
 struct FoundFunctions {
-  std::vector<algorithm::RobotFunction> overloads;  // of that name, those of fewer arguments first; empty: none
-  std::vector<std::string> names;                   // where there is none: those that the robot has
+  std::vector<algorithm::RobotFunction> overloads;  // of that name, fewest arguments first; empty: none
+  std::vector<std::string> names;                   // if there are none: the functions that the robot has
 };
 
-// The functions of a robot under that name, also between frames that its list of desired transforms does not have.
+// The functions of a robot with this name, which may be between frames that its list of desired transforms does not
+// have.
 FoundFunctions find_functions(const Robot& robot, const std::string& name, algorithm::FormulationChoices& formulations);
 
-// A Failure for a name that no function of `owner`, such as `robot 'HyL'`, has; `names` are those that there are.
+// Throws a Failure for a name that no function of `owner`, such as `robot 'HyL'`, has; `names` are the existing names.
 [[noreturn]] void refuse_function(
     const std::string& owner,
     const std::filesystem::path& model,

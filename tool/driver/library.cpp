@@ -38,13 +38,13 @@ backend::ProductData data_of(algorithm::PrimitiveProduct product) {
   return data;
 }
 
-// -1: none of that name.
+// -1 if there is no frame of that name.
 int index_of(const std::vector<backend::FrameData>& frames, const std::string& name) {
   const auto place = std::find_if(frames.begin(), frames.end(), [&](const auto& frame) { return frame.name == name; });
   return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
 }
 
-// The data of a document without robot.
+// The data of a document without a robot.
 void add_document(const model::CoordinateTransforms& document, backend::Library& library) {
   library.frames = frames_of(document);
   library.variables = document.variables;

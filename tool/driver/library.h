@@ -1,4 +1,4 @@
-// From a model and its functions to what the back ends print.
+// From a model and its functions to the input of the back ends.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct LibraryNames {
   std::string enclosing = {};  // namespace around it, or empty
 };
 
-// Whether transforms come as products of primitives too, and of which convention.
+// Whether transforms also come as products of primitives, and in which convention.
 using Primitives = std::optional<model::MovedFramePosition>;
 
 backend::Library assemble(

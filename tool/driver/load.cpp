@@ -29,7 +29,8 @@ std::shared_ptr<const Source> source_of(const std::filesystem::path& file, const
 
 // ---- Robots.
 
-// What the robot language cannot say, for the canonical text.
+// The exact joint limits, for the canonical text: a robot document cannot express single or crossed bounds of a
+// position.
 std::string limits_text(const model::KinematicTree& tree) {
   std::string text;
   for (const model::Joint& joint : tree.joints) {
@@ -42,7 +43,7 @@ std::string limits_text(const model::KinematicTree& tree) {
   return text;
 }
 
-// Of a tree that was read from a format of others.
+// The model of a tree that was read from a foreign format.
 Model foreign_model(model::KinematicTree tree, const LoadOptions& options) {
   std::string text;
   if (options.prints_canonical)
@@ -110,7 +111,7 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
         "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
 }
 
-// The contact frames of an option, whose text is a source of its own.
+// The contact frames of an option. The option's text is a source of its own.
 std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words) {
   const auto source = std::make_shared<const Source>("--contacts", fmt::format("{}", fmt::join(words, " ")));
   std::vector<import::NamedContact> contacts;
@@ -137,7 +138,7 @@ void require_contacts(const Robot& robot, const std::vector<std::string>& groups
           .hint = "name them: --contacts FRAME… (CONTACTS in CMake), or 'Contacts { … }' in the desired transforms";
 }
 
-// What is to be generated, of a robot that has all groups that were asked for.
+// The transforms and contacts to generate, for a robot that has all groups that were asked for.
 model::DesiredTransforms desired_of(
     const model::KinematicTree& tree,
     const LoadOptions& options,
@@ -154,7 +155,7 @@ model::DesiredTransforms desired_of(
   return result;
 }
 
-// Those that `all` leaves out.
+// Adds a note for each group that `all` leaves out.
 void list_absent_groups(const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<std::string>& of_contacts = algorithm::groups_of_contacts();
   for (const std::string& group : algorithm::groups()) {
@@ -195,7 +196,7 @@ std::optional<Model> load_robot(
 
 // ---- Coordinate transforms without a robot.
 
-// The pairs of frames that the list asks for; nullopt when an error was reported.
+// The pairs of frames that the list asks for; nullopt if an error was reported.
 std::optional<std::vector<FrameNames>> desired_pairs(
     const LoadOptions& options,
     const model::RigidMotions& motions,

@@ -15,7 +15,7 @@
 
 namespace robcogen::driver {
 
-// A function, by the name that `ops` prints, and the inputs that it is to be differentiated by.
+// A function, by the name that `ops` prints, and the inputs by which it is to be differentiated.
 struct Derivative {
   std::string function;
   std::vector<std::string> inputs;
@@ -27,7 +27,7 @@ struct Robot {
   std::vector<Derivative> derivatives = {};
 };
 
-// Those that a list asks for, or all that the document names.
+// The transforms that a list asks for, or all that the document names.
 struct Transforms {
   model::CoordinateTransforms document;
   std::vector<Derivative> derivatives = {};
@@ -36,7 +36,8 @@ struct Transforms {
 // A robot, or coordinate transforms without one, as loaded from documents.
 struct Model {
   std::variant<Robot, Transforms> content;
-  // All that the document says, in one form whatever its layout was; empty unless LoadOptions::prints_canonical.
+  // Everything that the document says, in a form that does not depend on its layout; empty unless
+  // LoadOptions::prints_canonical.
   std::string canonical = {};
   std::filesystem::path file = {};               // as given
   std::vector<std::filesystem::path> read = {};  // every file that was read
@@ -44,53 +45,54 @@ struct Model {
   const Robot* robot() const { return std::get_if<Robot>(&content); }
   const Transforms* transforms() const { return std::get_if<Transforms>(&content); }
   const std::vector<Derivative>& derivatives() const;
-  // What the document calls it.
+  // The name in the document.
   const std::string& name() const;
   const std::vector<model::Parameter>& parameters() const;
 };
 
 struct LoadOptions {
-  std::optional<std::filesystem::path> desired = {};       // the default list, when there is none
+  std::optional<std::filesystem::path> desired = {};       // nullopt: the default list
   bool strict = false;                                     // see promote_strict_warnings
   import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
-  bool lists_parameters = false;                           // a note with the model's parameters
-  std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots after that of the document
+  bool lists_parameters = false;                           // adds a note with the model's parameters
+  std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots, after that of the document
   bool may_be_library = false;                             // imports and parts without a robot are accepted
   std::vector<std::string> groups = {};      // asked for by name: one that the robot cannot have is an error
   std::vector<Derivative> derivatives = {};  // checked when they are traced
-  // Instead of the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
+  // Replace the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
-  bool lists_absent_groups = false;   // a note for each group that the robot cannot have
-  import::OpenTexts open_texts = {};  // of documents, lists and imported documents; not of what MJCF includes
+  bool lists_absent_groups = false;   // adds a note for each group that the robot cannot have
+  import::OpenTexts open_texts = {};  // of documents, lists and imported documents; not of files that MJCF includes
   bool prints_canonical = true;       // false saves a third of the time
 };
 
-// In the language of the file (documents.h). Without a list, a document of motions yields each and its inverse. nullopt
-// when an error was reported.
+// Loads a file in its language (documents.h). Without a list, a document of motions yields each motion and its inverse.
+// Returns nullopt if an error was reported.
 std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& options, Diagnostics& diagnostics);
 
-// The robot document of the file without parts: they are put in. With it, the files that were read for them. nullopt
-// when an error was reported.
+// The robot document of the file, in which parts are replaced by their content, and the files that were read for them.
+// Returns nullopt if an error was reported.
 std::optional<import::RobotDocument> load_robot_document(
     const std::filesystem::path& file,
     const LoadOptions& options,
     Diagnostics& diagnostics);
 
-// The frames of a document of motions or of transforms, and the paths between them. nullopt when an error was reported.
+// The frames of a document of motions or of transforms, and the paths between them. Returns nullopt if an error was
+// reported.
 std::optional<model::RigidMotions> load_motions_of(
     const std::filesystem::path& file,
     Diagnostics& diagnostics,
     const import::OpenTexts& open_texts = {});
 
-// The pairs of frames that the list of the options asks for; without a list, each motion and its inverse. nullopt when
-// an error was reported.
+// The pairs of frames that the list of the options asks for; without a list, each motion and its inverse. Returns
+// nullopt if an error was reported.
 std::optional<std::vector<model::FrameNames>> load_pairs(
     const model::RigidMotions& motions,
     const LoadOptions& options,
     Diagnostics& diagnostics);
 
-// Makes errors of the warnings that the original tool refused in desired-transforms documents, and of those about names
-// and angles that may be accidents.
+// Turns warnings into errors: those about desired-transforms documents that the original tool refused, and those about
+// names and angles that may be accidents.
 void promote_strict_warnings(Diagnostics& diagnostics);
 
 }  // namespace robcogen::driver

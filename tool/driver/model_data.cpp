@@ -29,7 +29,7 @@ backend::JointType type_of(model::JointType type) {
   return backend::JointType::revolute;
 }
 
-// Constants of the model, as far as the parameters' defaults determine them.
+// Evaluates the constants of the model with the defaults of the parameters.
 class Constants {
  public:
   explicit Constants(const model::KinematicTree& tree) : tree_(tree) {
@@ -54,7 +54,7 @@ class Constants {
     return data;
   }
 
-  // A component of a spherical joint is between the links of that joint.
+  // A component of a spherical joint connects the links that the whole joint connects.
   backend::JointData of_joint(int index) const {
     const model::Joint& joint = tree_.joints[at(index)];
     const int first_index = tree_.first_component_of(index);
@@ -93,7 +93,7 @@ class Constants {
   }
 
   backend::CoupledJointData of(const model::Coupling& coupling) const {
-    // No numbers where the joint follows through a loop: not by sums.
+    // A joint that follows through a loop has no numbers, because it does not follow by a sum.
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const bool is_linear = coupling.is_linear();
     backend::CoupledJointData data = {of_joint(coupling.joint), {}, is_linear ? value(coupling.offset) : kNone};
@@ -136,7 +136,7 @@ class Constants {
   }
 
  private:
-  // Than next to where its joints are drawn.
+  // Whether the loops are assembled elsewhere than next to where their joints are drawn.
   bool is_assembled_elsewhere(const model::Closure& closure) const {
     return std::any_of(closure.loops.begin(), closure.loops.end(), [&](int index) {
       const model::LoopJoint& loop = tree_.loops[at(index)];
@@ -191,7 +191,7 @@ void add_model(const model::KinematicTree& tree, backend::Library& library) {
   }
   for (const model::Coupling& coupling : tree.couplings) library.coupled.push_back(constants.of(coupling));
   const std::vector<backend::JointData> joints = library.all_joints();
-  // Of a spherical joint the first component.
+  // For a spherical joint, this is the first component.
   for (std::size_t k = joints.size(); k-- > 0;) library.links[at(joints[k].child)].parent_joint = static_cast<int>(k);
   for (const model::Frame& frame : tree.frames()) library.frames.push_back(constants.of(frame));
   library.limbs = limbs_of(tree, library);

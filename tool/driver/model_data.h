@@ -6,8 +6,8 @@
 
 namespace robcogen::driver {
 
-// Links, joints, frames and parameters, with their constants as far as the defaults of the parameters determine them:
-// numbers that depend on a parameter without default are NaN.
+// Adds links, joints, frames and parameters. Their constants are evaluated with the defaults of the parameters; numbers
+// that depend on a parameter without default are NaN.
 void add_model(const model::KinematicTree& tree, backend::Library& library);
 
 }  // namespace robcogen::driver

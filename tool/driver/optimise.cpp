@@ -19,7 +19,7 @@ namespace {
 
 using Passes = std::vector<std::string>;
 
-// A function of the library's own machinery.
+// An internal function of the library.
 backend::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
   backend::Function function;
   function.group = group;
@@ -43,15 +43,15 @@ Functions choose_column_loops(Functions functions, backend::ColumnLoops loops) {
     std::optional<symbolic::SolvedColumns>& solved = function.traced.solved;
     if (!solved || loops == backend::ColumnLoops::if_faster) continue;
     if (loops == backend::ColumnLoops::if_long && solved->is_long)
-      solved->limbs.reset();  // their columns are solved in lanes
+      solved->limbs.reset();  // columns of limbs are solved in lanes
     else
       solved.reset();
   }
   return functions;
 }
 
-// Right-hand sides become functions of their own, which are followed by a loop over the solutions: their programs are
-// those that are printed, of the function itself only its inputs and outputs.
+// Makes a stage of the right-hand sides of each function that loops over solutions. The stage and the solution of one
+// column are printed as programs; the function itself keeps only its inputs and outputs.
 Functions separate_right_sides(Functions functions, const Passes& passes, const Passes& passes_of_solution) {
   const std::size_t count = functions.list.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -80,8 +80,8 @@ Functions separate_right_sides(Functions functions, const Passes& passes, const 
   return functions;
 }
 
-// Updates compute what follows from the parameters alone into a cache, which the functions then read. Before the
-// passes, which put parameters and variables together in one sum.
+// Moves the values that depend on the parameters alone into updates, which compute a cache that the functions then
+// read. This comes before the passes, which put parameters and variables together in one sum.
 Functions split_parameters(const Robot& robot, Functions functions, const Passes& passes) {
   std::vector<symbolic::Program> programs;
   for (Function& function : functions.list) programs.push_back(std::move(function.traced.program));
@@ -91,7 +91,7 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
   pass::SplitPrograms split = pass::split_parameters(std::move(programs), interfaces);
   for (std::size_t i = 0; i < functions.list.size(); ++i) {
     functions.list[i].traced.program = std::move(split.programs[i]);
-    functions.list[i].results.reset();  // they are those of other inputs
+    functions.list[i].results.reset();  // these belong to other inputs
   }
   functions = run_passes(std::move(functions), passes);
   const auto add_update = [&](symbolic::Program& program, const std::string& what) {
@@ -111,7 +111,7 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
   return functions;
 }
 
-// Where the function gets faster by it and keeps its digits.
+// Packs congruent limbs into lanes if this makes the function faster and keeps its accuracy.
 void pack_into_lanes(
     Function& function,
     const model::KinematicTree& tree,
@@ -164,7 +164,7 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
   if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
-  // Of quaternions there are no sines, and joints that follow are no coordinates.
+  // Quaternions have no sines, and joints that follow others are not coordinates.
   if (features.takes_sines && robot->tree.position_count() == robot->tree.dof())
     functions = split_angles(*robot, std::move(functions));
   return functions;

@@ -7,8 +7,8 @@
 
 namespace robcogen::driver {
 
-// Runs, as far as the steps and the language ask for them and in this order: the passes, the split of parameters,
-// congruent limbs in lanes, the split of sines and cosines.
+// Runs the passes, the split of parameters, congruent limbs in lanes, and the split of sines and cosines, in this order
+// and as far as the steps and the language ask for them.
 Functions optimise(const Model& model, Functions functions, const Steps& steps, const backend::Features& features);
 
 }  // namespace robcogen::driver

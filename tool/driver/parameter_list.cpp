@@ -14,7 +14,7 @@ using model::ParameterKind;
 
 constexpr std::size_t kColumns = 110;
 
-// Kinds in the order of the list.
+// The kind of a parameter, as the list says it.
 std::string kind_of(const Parameter& p) {
   const std::string name = p.kind == ParameterKind::length  ? "lengths"
                            : p.kind == ParameterKind::angle ? "angles"

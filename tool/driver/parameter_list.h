@@ -8,7 +8,8 @@
 
 namespace robcogen::driver {
 
-// One note, by kinds: names with their defaults, and where each is declared or first used. No note without parameters.
+// Adds one note, by kinds: names with their defaults, and where each is declared or first used. Adds none if there are
+// no parameters.
 void list_parameters(const std::vector<model::Parameter>& parameters, Diagnostics& diagnostics);
 
 }  // namespace robcogen::driver

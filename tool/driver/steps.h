@@ -1,4 +1,4 @@
-// The choices and passes on the way from a model to its programs, each of which can be switched off.
+// The choices and passes between a model and its programs, each of which can be switched off.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ inline constexpr const char* kLanesStep = "lanes";
 // The choices of a formulation, then the passes, then kLanesStep.
 std::vector<std::string> all_steps();
 
-// Those that are taken, and how hard to look for link frames: the search may trace that many times the statements of
-// effort 1; 0 leaves it out.
+// The steps that are taken, and the effort of the search for link frames: the search may trace `effort` times as many
+// statements as with effort 1; 0 leaves it out.
 struct Steps {
   std::vector<std::string> names = all_steps();
   int effort = 1;

@@ -16,13 +16,13 @@ namespace {
 
 using algorithm::RobotFunction;
 
-// In this formulation of the limbs, where that is another program.
+// The program in this formulation of the limbs, if it is a different program.
 std::optional<symbolic::Program> congruent_program(RobotFunction&& f) {
   if (!algorithm::folds_like_others(f.program)) return std::nullopt;
   return std::move(f.program);
 }
 
-// The functions of each group, and as another group the derivatives that the model asks for.
+// The functions of each group. The derivatives that the model asks for are one more group.
 using OfGroups = std::vector<std::vector<Function>>;
 
 Functions in_one_list(OfGroups&& of_groups) {

@@ -1,9 +1,8 @@
-// Writes what editors know of the languages by themselves, from the words of the parsers: grammars for VS Code, Neovim
-// and Kate, and lists of words for Emacs.
+// Writes the grammars for VS Code, Neovim and Kate, and the lists of words for Emacs, from the words of the parsers.
 //
 //     robcogen_write_grammars FOLDER
 //
-// The test editor.Grammars.* compares the files of this folder with them; the target update_grammars writes them anew.
+// The test editor.Grammars.* compares the files of this folder with these; the target update_grammars writes them anew.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -44,7 +43,7 @@ std::string alternatives(const std::vector<std::string>& words) {
   return fmt::format("\\b(?:{})\\b", fmt::join(words, "|"));
 }
 
-// For VS Code, and what else reads TextMate grammars.
+// A grammar for VS Code, and for all other editors that read TextMate grammars.
 std::string textmate(const EditorLanguage& language) {
   const std::string suffix = "." + language.name;
   Json patterns = Json::array(

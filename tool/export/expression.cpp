@@ -24,7 +24,7 @@ ExpressionPtr operation(Kind kind, ExpressionPtr left, ExpressionPtr right = nul
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// The number that parsing the shortest literal of a double gives.
+// The number that the shortest literal of a double is parsed as.
 Number as_read(double value) {
   assert(std::isfinite(value));
   return *Number::parse(print_double(value));
@@ -36,7 +36,7 @@ ExpressionPtr literal(double value) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// Words that a document does not read as names.
+// Whether a document does not read the word as a name.
 bool is_reserved(const std::string& name) {
   std::string lower_case = name;
   for (char& c : lower_case)
@@ -70,8 +70,8 @@ ExpressionPtr signed_pi(bool negative) {
   return negative ? operation(Kind::negate, pi()) : pi();
 }
 
-// In the forms that the first RobCoGen reads: a number, `0.75 PI`, or `-PI/1.5`. It has no quotients of numbers, so
-// that a number without a finite decimal form becomes the nearest double.
+// The constant in a form that the first RobCoGen reads: a number, `0.75 PI`, or `-PI/1.5`. It does not read quotients
+// of numbers, so that a number without a finite decimal form becomes the nearest double.
 ExpressionPtr constant(const Number& number) {
   if (!number.is_pi_multiple()) return literal(number.value());
   const auto [num, den] = *number.ratio();

@@ -8,7 +8,7 @@
 
 namespace robcogen::exporting {
 
-// An expression of the same value. It is exact when the quantity is: multiples of PI and fractions keep their form.
+// An expression with the same value. It is exact if the quantity is: multiples of PI and fractions keep their form.
 language::ExpressionPtr expression(
     const model::Quantity& quantity,
     const std::vector<model::Parameter>& parameters,

@@ -15,7 +15,7 @@ using model::Quantity;
 
 namespace {
 
-// Mass properties in the link frame, when no frame of the link has the pose of their reference.
+// The mass properties in the link frame, for a link without a frame that has the pose of their reference.
 model::Inertia moved_to_link_frame(const model::Inertia& inertia) {
   const model::RigidBodyInertia body = in_link_frame(inertia);
   model::Inertia moved{body.mass, {}, body.ixx, body.iyy, body.izz, body.ixy, body.ixz, body.iyz, {}};
@@ -82,7 +82,7 @@ class Writer {
            std::equal(a.rotation.begin(), a.rotation.end(), b.rotation.begin(), same_quantity);
   }
 
-  // A frame of the link that has the pose of the reference of its mass properties.
+  // The frame of the link that has the pose of the reference of its mass properties, if there is one.
   const model::UserFrame* reference_frame(std::size_t link, const model::Placement& reference) const {
     for (const model::UserFrame* frame : frames_[link]) {
       if (same(frame->placement, reference)) return frame;
@@ -141,7 +141,7 @@ class Writer {
     return joint;
   }
 
-  // Zeros are what a document does not write.
+  // A document leaves out zeros.
   ExpressionPtr given(const Quantity& quantity) const { return quantity.is_zero() ? nullptr : write(quantity); }
 
   kinematics::Drive write(const model::Drive& drive) const {
@@ -165,11 +165,11 @@ class Writer {
   }
 
   kinematics::Limits write(const model::JointLimits& limits) const {
-    // A document gives both bounds of the position: one that is missing is as wide as in a URDF.
+    // A document gives both bounds of the position. A missing one becomes as wide as in a URDF.
     constexpr double kWide = 1e9;
     const auto number = [&](double value) { return write(Quantity(value)); };
     kinematics::Limits written;
-    // Crossed bounds, which a URDF may have, are none.
+    // Crossed bounds, which a URDF may have, count as none.
     if ((std::isfinite(limits.lower) || std::isfinite(limits.upper)) && limits.lower <= limits.upper)
       written.position = {number(std::max(limits.lower, -kWide)), number(std::min(limits.upper, kWide))};
     if (std::isfinite(limits.velocity)) written.velocity = number(limits.velocity);
@@ -184,7 +184,7 @@ class Writer {
     const auto slides = [&](int joint) { return !model::turns(tree_.joints[at(joint)].type); };
     Quantity value;
     for (const model::Coupling::Term& term : from.terms) {
-      // The unit of a factor between joints of different kinds.
+      // The factor between joints of different kinds has a unit.
       Quantity factor = term.factor;
       if (slides(from.joint) != slides(term.joint)) factor = slides(from.joint) ? factor * m / rad : factor * rad / m;
       value = value + factor * Quantity::variable(2 + term.joint);
@@ -204,7 +204,7 @@ class Writer {
     return written;
   }
 
-  // Those that loops could take otherwise.
+  // The joints that stay independent, where loops could choose others.
   std::vector<kinematics::Name> independents() const {
     std::vector<kinematics::Name> names;
     for (const int joint : tree_.coordinates()) {

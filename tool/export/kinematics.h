@@ -8,7 +8,7 @@
 
 namespace robcogen::exporting {
 
-// The robot in the Kinematics-DSL, without joint limits, which the language does not have. Places are not set.
+// The robot in the Kinematics-DSL. Places are not set.
 language::kinematics::Document kinematics_document(const model::KinematicTree& tree);
 
 // The joints, parents before children, otherwise in declaration order.

@@ -15,7 +15,7 @@ constexpr Real kPi = std::numbers::pi_v<Real>;
 // Differences of angles, and cosines, below this are rounding errors.
 constexpr Real kNegligible = 5e-16L;
 
-// The angle is as exact as it is known.
+// The sine and the cosine of an angle, from its exact form if this is known.
 struct SineCosine {
   Real sine, cosine;
 };
@@ -23,7 +23,7 @@ struct SineCosine {
 SineCosine sine_cosine(const Number& angle) {
   if (!angle.is_pi_multiple()) return {std::sin(Real(angle.value())), std::cos(Real(angle.value()))};
   const Number sine = sin(angle), cosine = cos(angle);
-  // Both are rational for multiples of PI/2 only.
+  // Both are rational only for multiples of PI/2.
   if (sine.ratio() && cosine.ratio()) return {Real(sine.value()), Real(cosine.value())};
   const Rational& factor = *angle.ratio();
   const Real reduced = std::fmod(Real(factor.num), 2 * Real(factor.den)) / Real(factor.den) * kPi;
@@ -51,8 +51,8 @@ void append(std::vector<Turn>& turns, const Turn& turn) {
   if (turns.back().angle.is_zero()) turns.pop_back();
 }
 
-// The double of an angle that was computed from turns. When it equals one of their angles, up to its sign and to
-// quarter turns, the result is exactly that angle.
+// The double for an angle that was computed from turns. If it equals one of their angles, up to its sign and quarter
+// turns, the result is exactly that angle.
 double nearest_meant(Real angle, const std::vector<Turn>& turns) {
   if (angle < kNegligible - kPi) angle += 2 * kPi;  // -pi and pi are the same turn: rounding must not choose
   std::vector<Number> origins{Number()};
@@ -66,7 +66,7 @@ double nearest_meant(Real angle, const std::vector<Turn>& turns) {
   return static_cast<double>(angle);
 }
 
-// Rz Ry Rx, or a part of it.
+// Whether the turns are Rz Ry Rx, or a part of this.
 bool is_roll_pitch_yaw(const std::vector<Turn>& turns) {
   return std::adjacent_find(
              turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.axis <= b.axis; }) == turns.end();
@@ -140,8 +140,8 @@ std::array<double, 3> roll_pitch_yaw(const Pose& pose) {
     for (const Turn& turn : pose.turns) angles[at(turn.axis)] = turn.angle.value();
     return angles;
   }
-  // One angle after the other, each with the final values of the earlier ones: close to a pitch of PI/2, where roll is
-  // badly determined, yaw compensates for it.
+  // The angles are computed one after the other, each with the final values of the earlier ones: close to a pitch of
+  // PI/2, where roll is badly determined, yaw compensates for it.
   const Matrix3 R = rotation_matrix(pose);
   auto& [roll, pitch, yaw] = angles;
   if (std::hypot(R[2][1], R[2][2]) > kNegligible) roll = nearest_meant(std::atan2(R[2][1], R[2][2]), pose.turns);

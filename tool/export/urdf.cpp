@@ -21,15 +21,15 @@ using model::KinematicTree;
 using model::Link;
 using model::UserFrame;
 
-// Stands for an infinite limit, in SI units: no joint comes near it.
+// Replaces an infinite limit, in SI units; no joint comes near it.
 constexpr double kUnbounded = 1e9;
 // Components of a unit vector that are this close to 0, 1 or -1 become exactly that.
 constexpr Real kNegligible = 1e-15L;
 
 // ---- The frame of the model and the name of each URDF link.
 
-// A revolute joint of URDF turns about an axis through the origin of the frame of its child, and the root has no joint
-// to place its frame.
+// Whether the user frame may be the URDF frame of its link. In URDF, a revolute joint turns about an axis through the
+// origin of its child's frame, and the root has no joint that could place its frame.
 bool may_be_link_frame(const KinematicTree& tree, const UserFrame& frame) {
   const int joint = tree.links[at(frame.link)].parent_joint;
   if (joint < 0) return pose_of(frame.placement).is_identity();
@@ -79,7 +79,7 @@ Names choose_names(const KinematicTree& tree, const std::vector<const UserFrame*
 
 // ---- Numbers.
 
-// About the centre of mass, in the axes of the URDF link.
+// Mass properties about the centre of mass, in the axes of the URDF link.
 struct Body {
   double mass;
   Vector3 com;     // m, in the URDF link frame
@@ -95,7 +95,7 @@ Body body_of(const model::Inertia& inertia, const Pose& urdf_X_link) {
   const Pose pose = inertia.reference ? urdf_X_link * pose_of(*inertia.reference) : urdf_X_link;
   const double mass = value(inertia.mass);
   const Vector3 c{value(inertia.com[0]), value(inertia.com[1]), value(inertia.com[2])};
-  // Products of inertia enter the tensor with negative sign.
+  // Products of inertia enter the tensor with a negative sign.
   const Real xy = -value(inertia.ixy), xz = -value(inertia.ixz), yz = -value(inertia.iyz);
   Matrix3 I = {{{value(inertia.ixx), xy, xz}, {xy, value(inertia.iyy), yz}, {xz, yz, value(inertia.izz)}}};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -110,7 +110,7 @@ Body body_of(const model::Inertia& inertia, const Pose& urdf_X_link) {
   return body;
 }
 
-// The direction of z of a link in its URDF frame.
+// The z axis of a link, in its URDF frame.
 Vector3 joint_axis(const Pose& link_X_urdf) {
   Vector3 axis = rotation_matrix(link_X_urdf)[2];
   for (Real& x : axis) {
@@ -214,7 +214,7 @@ std::string dynamics(const model::Drive& drive) {
 
 std::string motion(const Joint& joint, const Vector3& axis) {
   std::string text = fmt::format("    <axis xyz=\"{}\"/>\n", triple(axis)) + dynamics(joint.drive);
-  // Only a continuous joint may have no limit.
+  // Only a continuous joint may lack limits.
   if (joint.type == JointType::revolute && joint.limits == JointLimits()) return text;
   return text + limit(joint);
 }
@@ -224,7 +224,8 @@ bool is_mimic(const KinematicTree& tree, const model::Coupling& coupling) {
   return coupling.terms.size() == 1 || (coupling.terms.empty() && tree.dof() > 0);
 }
 
-// Of a joint that follows one other, or stands still: then it follows any joint, with multiplier 0.
+// The mimic element of a joint that follows one other or stands still. A joint that stands still follows any joint,
+// with multiplier 0.
 std::string mimic(const KinematicTree& tree, int index) {
   const model::Coupling* coupling = tree.coupling_of(index);
   if (coupling == nullptr || !is_mimic(tree, *coupling)) return "";
@@ -235,13 +236,13 @@ std::string mimic(const KinematicTree& tree, int index) {
       follows ? number(value(coupling->terms.front().factor)) : "0", number(value(coupling->offset)));
 }
 
-// URDF+ has joints that follow: all others lead, where there is one.
+// URDF+ marks the joints that follow; if one is marked, all others lead.
 std::string followers_attribute(const KinematicTree& tree, int joint) {
   const model::Coupling* coupling = tree.coupling_of(joint);
   return coupling != nullptr && !is_mimic(tree, *coupling) ? " independent=\"false\"" : "";
 }
 
-// The frames of both ends coincide but for their angle about z.
+// A loop of URDF+: the frames of both ends coincide except for their angle about z.
 std::string loop(const KinematicTree& tree, const model::LoopJoint& loop, const std::vector<Pose>& link_X_urdf) {
   std::string text = fmt::format("  <loop name=\"{}\" type=\"continuous\">\n", escaped(loop.name));
   for (std::size_t e = 0; e < 2; ++e) {

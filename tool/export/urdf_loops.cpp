@@ -15,7 +15,7 @@ using model::KinematicTree;
 
 constexpr std::array kEnds = {"predecessor", "successor"};
 
-// How the joint follows others by this sum of positions, which is zero; nullopt where it is not part of it.
+// How the joint follows the others, given that this sum of positions is zero; nullopt if the joint is not part of it.
 std::optional<std::map<int, double>> solved_for(int joint, const std::map<int, double>& sum) {
   const auto own = sum.find(joint);
   if (own == sum.end() || own->second == 0.0) return std::nullopt;

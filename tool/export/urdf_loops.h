@@ -7,23 +7,23 @@
 
 namespace robcogen::exporting {
 
-// Of two links: the sum of the positions of the joints from the last link that carries both to the successor is that of
-// the joints to the predecessor, times the ratio.
+// A coupling of two links: the sum of the positions of the joints from the last link that carries both to the successor
+// is the sum for the joints to the predecessor, times the ratio.
 struct LinkCoupling {
   int predecessor = -1, successor = -1;
   double ratio = 0.0;
 };
 
-// The coupling of a joint in this form; nullopt where it has none.
+// The coupling of a joint in this form; nullopt if it does not have this form.
 std::optional<LinkCoupling> link_coupling(const model::KinematicTree& tree, const model::Coupling& coupling);
 
-// Whether URDF+ can say this loop: a hinge that is assembled next to where its joints are drawn.
+// Whether URDF+ can express this loop: a hinge that is assembled next to where its joints are drawn.
 bool may_be_urdf_loop(const model::KinematicTree& tree, const model::LoopJoint& loop);
 
-// Whether the joint follows through a loop.
+// Whether the joint follows others through a loop.
 bool follows_through_loop(const model::KinematicTree& tree, int joint);
 
-// Whether the loop makes this frame where it is read.
+// Whether reading the loop creates this frame.
 bool is_made_by_loop(const model::KinematicTree& tree, const std::string& frame);
 
 }  // namespace robcogen::exporting

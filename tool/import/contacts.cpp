@@ -1,4 +1,4 @@
-// Contact frames, by their names.
+// Finds contact frames by name.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +10,7 @@
 namespace robcogen::import {
 namespace {
 
-// With what there is, user frames first: of what moves.
+// Reports an unknown frame, and lists the frames that move, user frames first.
 void report_no_contact_frame(const NamedContact& contact, const model::KinematicTree& tree, Diagnostics& diagnostics) {
   constexpr std::size_t kShown = 12;
   model::NameIndex index;

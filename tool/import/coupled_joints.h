@@ -9,18 +9,18 @@
 
 namespace robcogen::import {
 
-// Joints of one coordinate, and the coordinates of the others by their own names.
+// Joints with one coordinate, and the coordinates of joints with several, which have names of their own.
 class CoupledJoints {
  public:
   explicit CoupledJoints(const language::kinematics::Document& document);
 
   bool contains(const std::string& name) const { return turns_.contains(name); }
-  // Whether it turns; otherwise it slides. nullopt for an unknown name.
+  // Whether the joint or coordinate turns rather than slides. nullopt for an unknown name.
   std::optional<bool> turns(const std::string& name) const;
 
-  // False for a joint of several coordinates.
+  // False for a joint with several coordinates.
   bool is_single(const std::string& joint) const { return !coordinates_.contains(joint); }
-  // Of such a joint, for messages: `'leg_x', 'leg_y'`.
+  // The coordinates of such a joint as text for messages: `'leg_x', 'leg_y'`.
   const std::string& coordinates_of(const std::string& joint) const { return coordinates_.at(joint); }
 
  private:

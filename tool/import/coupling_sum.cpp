@@ -28,7 +28,7 @@ class SumReader {
   Diagnostics& diagnostics_;
   bool is_wrong_ = false;  // an error was reported
 
-  // Reports a joint of several coordinates.
+  // Reports a joint with several coordinates.
   void check_single(const std::string& joint, const Span& span) {
     if (joints_.is_single(joint)) return;
     is_wrong_ = true;
@@ -40,7 +40,7 @@ class SumReader {
   bool is_plain(const Expression& e) const {
     return e.kind == Kind::name && e.group.empty() && !e.is_parameter && !e.default_value;
   }
-  // What is neither a joint nor a parameter is reported as an unknown joint.
+  // A name that is neither a joint nor a parameter is reported as an unknown joint.
   bool is_joint(const Expression& e) const {
     return is_plain(e) && !is_unit(e) && (joints_.contains(e.name) || !reader_.knows_parameter(e.name));
   }
@@ -117,7 +117,7 @@ class SumReader {
   }
 
   CouplingSum added(const Expression& e, ParameterKind kind) {
-    // In this order, which determines the order of the parameters.
+    // Evaluation order matters: it determines the order of the parameters.
     CouplingSum a = sum(*e.left, kind);
     const CouplingSum b = sum(*e.right, kind);
     const CouplingSum other = scaled(b, Quantity(e.kind == Kind::subtract ? -1.0 : 1.0), {}, 1);

@@ -1,4 +1,4 @@
-// The right-hand side of a coupling: a sum of joints times constants, and of a constant.
+// The right-hand side of a coupling: a sum of joints times constants, plus a constant.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace robcogen::import {
 
-// Powers of rad and m, where the document says them.
+// Powers of rad and m, if the document states a unit.
 struct Dimension {
   int rad = 0, m = 0;
   bool is_said = false;
@@ -19,12 +19,12 @@ struct Dimension {
   friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
-// With the other one to the power of `sign`.
+// Multiplies dimension a by dimension b to the power of `sign`.
 inline Dimension product(const Dimension& a, const Dimension& b, int sign) {
   return {a.rad + sign * b.rad, a.m + sign * b.m, a.is_said || b.is_said};
 }
 
-// Of the position of a joint.
+// The dimension of the position of a joint.
 inline Dimension unit_of(bool turns) {
   return {turns ? 1 : 0, turns ? 0 : 1, true};
 }
@@ -36,15 +36,16 @@ struct CouplingTerm {
 };
 
 struct CouplingSum {
-  std::vector<std::pair<std::string, CouplingTerm>> terms;  // by joint, in the order of the text
+  std::vector<std::pair<std::string, CouplingTerm>> terms;  // by joint name, in the order of the text
   model::Quantity offset;
   Dimension unit;  // of the offset
 
   bool is_constant() const { return terms.empty(); }
 };
 
-// A plain name that is neither a joint nor a parameter stands for a joint, which the model reports. nullopt after
-// reporting joints of several coordinates, expressions that are not linear in the joints, or divisions by zero.
+// Reads the sum. A plain name that is neither a joint nor a parameter stands for a joint, which the model reports.
+// Returns nullopt after reporting a joint with several coordinates, an expression that is not linear in the joints, or
+// a division by zero.
 std::optional<CouplingSum> read_coupling_sum(
     const language::kinematics::Coupling& coupling,
     const CoupledJoints& joints,

@@ -11,7 +11,8 @@ namespace {
 
 namespace kinematics = language::kinematics;
 
-// A factor between joints of different kinds needs its unit; elsewhere it has none.
+// Checks the unit of a factor: a factor between a joint that turns and one that slides must have a unit, and any other
+// factor must not.
 void check_unit(
     const kinematics::Coupling& coupling,
     const std::string& joint,
@@ -38,7 +39,7 @@ void check_unit(
       .hint = fmt::format("write '20.0 {} * {}', for example", turns ? "rad/m" : "m/rad", joint);
 }
 
-// Of a joint, and of those that it follows, when they are known.
+// Checks the units of a coupling, for joints that are declared.
 void check_units(
     const kinematics::Coupling& coupling,
     const CouplingSum& sum,

@@ -1,4 +1,4 @@
-// Couplings of a robot document: from expressions to sums over joints.
+// Converts the couplings of a robot document from expressions to sums over joints.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,8 @@
 namespace robcogen::import {
 
 // Reads the couplings of a document. A plain name is a joint, or a parameter that is declared elsewhere in the
-// document; `rad` and `m` behind a number are its unit, unless a joint or a parameter has that name. Reports
-// expressions that are not linear in the joints, and factors between joints that turn and joints that slide without
-// their unit.
+// document; `rad` and `m` after a number are its unit, unless a joint or a parameter has that name. Reports expressions
+// that are not linear in the joints, and factors without a unit between joints that turn and joints that slide.
 std::vector<model::DescribedCoupling> read_couplings(
     const language::kinematics::Document& document,
     QuantityReader& reader,

@@ -1,4 +1,4 @@
-// Lists of desired transforms, to frames of a robot or of motions.
+// Resolves lists of desired transforms to frames of a robot or of rigid motions.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,7 +15,7 @@ namespace desired = language::desired;
 
 namespace {
 
-// `'A' is connected to 'B', 'C'`, for a hint.
+// Returns text for a hint, as in `'A' is connected to 'B', 'C'`.
 std::string connections(const model::RigidMotions& motions, const std::string& frame) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> names;

@@ -24,7 +24,7 @@ void FrameResolver::check_owner() {
       fmt::format("this list is for {0} '{1}', but the {0} is '{2}'", known_.kind, document_.robot.text, known_.owner));
 }
 
-// It would hide the element in the loop.
+// A variable must not have the name of a link, frame or instance, which it would hide in the loop.
 void FrameResolver::check_variable(const desired::Name& variable) {
   const auto is_in = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), variable.text) != names.end();

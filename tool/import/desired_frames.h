@@ -1,4 +1,4 @@
-// Frames that a list of desired transforms names.
+// Resolves the frame names in a list of desired transforms.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace robcogen::import {
 
-// A pair of the list, by index of its frames.
+// A pair of the list, as indices of its frames.
 struct ResolvedPair {
   int left;
   int right;
   Place place;
 };
 
-// Looks up the frames of a document in which loops are unrolled. A frame that does not exist, is repeated or not listed
-// is a warning; wrong instances and variables of loops are errors.
+// Looks up the frames of a document whose loops are unrolled. An unknown, repeated or unlisted frame is a warning; a
+// wrong instance or loop variable is an error.
 class FrameResolver {
  public:
   FrameResolver(const language::desired::Document& document, KnownFrames& known, Diagnostics& diagnostics)
@@ -28,21 +28,22 @@ class FrameResolver {
         diagnostics_(diagnostics),
         instances_(document.source, known, diagnostics) {}
 
-  // The owner of the frames, loops, and the list of frames: before pairs are resolved.
+  // Checks the owner of the frames, the loops, and the list of frames. Must be called before pairs are resolved.
   void check();
 
-  // Pairs whose frames exist, each once. `what` is the meaning of a pair: `transform`, `Jacobian`.
+  // Returns the pairs whose frames exist, without duplicates. `what` is the meaning of a pair: `transform` or
+  // `Jacobian`.
   std::vector<ResolvedPair> resolve(const std::vector<language::desired::Pair>& pairs, const std::string& what);
 
-  // Puts the name of the frame in place of `instance.frame`. False after reporting that there is none.
+  // Replaces `instance.frame` by the name of the frame. Returns false after reporting that there is no such frame.
   bool resolve(language::desired::Name& name);
 
  private:
   const language::desired::Document& document_;
-  KnownFrames& known_;  // its guesses of what is meant are limited
+  KnownFrames& known_;  // not const: limits how many guesses it makes
   Diagnostics& diagnostics_;
   InstanceResolver instances_;
-  std::set<std::string> accepted_;  // listed, or reported as not listed
+  std::set<std::string> accepted_;  // frames that are listed, or reported as unlisted
 
   void check_owner();
   void check_loops();

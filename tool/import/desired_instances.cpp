@@ -12,7 +12,7 @@ namespace {
 
 const std::string kFramePrefix = "fr_";
 
-// The names that `foot` of instance LF may have: LF_foot, fr_LF_foot.
+// The names that frame `foot` of instance LF may have: LF_foot, fr_LF_foot.
 std::vector<std::string> names_in_instance(const std::string& instance, const std::string& frame) {
   if (frame.starts_with(kFramePrefix)) return {kFramePrefix + instance + "_" + frame.substr(kFramePrefix.size())};
   return {instance + "_" + frame, kFramePrefix + instance + "_" + frame};

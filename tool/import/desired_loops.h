@@ -5,7 +5,7 @@
 
 namespace robcogen::import {
 
-// The document with the body of each loop once for each of its instances, which stand in place of the variable.
+// Returns the document with the body of each loop repeated for each of its instances, which replace the loop variable.
 language::desired::Document unrolled(const language::desired::Document& document);
 
 }  // namespace robcogen::import

@@ -65,7 +65,7 @@ class DriveDescriber {
   Diagnostics& diagnostics_;
   model::DescribedJoint& described_;
 
-  // A joint may turn more than once; degrees are likelier beyond some turns, except of a screw.
+  // A joint may turn more than once, but beyond a few turns the angle is probably in degrees, except for a screw.
   void check_angle(const language::Expression& expression, const model::Quantity& position) {
     constexpr double kTurns = 4.0;
     if (described_.type == model::JointType::revolute && position.is_constant())

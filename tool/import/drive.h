@@ -1,4 +1,5 @@
-// Drives and limits of joints, and where loops are assembled, from robot documents to the model.
+// Converts the drives and limits of joints, and the positions in which loops are assembled, from robot documents to the
+// model.
 #pragma once
 
 #include "import/parameters.h"
@@ -7,8 +8,8 @@
 
 namespace robcogen::import {
 
-// Values of the drive are dynamics quantities; reports limits, and positions in which loops are assembled, that depend
-// on a parameter.
+// Reads the drive as parameters of the dynamics. Reports limits, and positions in which loops are assembled, that
+// depend on a parameter.
 void describe_drive(
     const language::kinematics::DriveAndLimits& given,
     QuantityReader& reader,

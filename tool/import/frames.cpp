@@ -17,7 +17,7 @@ using model::Quantity;
 
 namespace {
 
-// For documents of both languages: the frames that may be named, and the reader of amounts.
+// Frames and amounts of a document of either language.
 class FramesReader {
  public:
   FramesReader(std::shared_ptr<const Source> source, const FramesHeader& header, Diagnostics& diagnostics)
@@ -32,7 +32,7 @@ class FramesReader {
     for (const AxisStep& step : steps) reader_.declare_names_in(*step.amount);
   }
 
-  // Reports a frame that is not in the document's list. Without a list, every frame that is named exists.
+  // Reports a frame that is not in the document's list. If there is no list, every frame that is named exists.
   void use(const Name& name) {
     if (index_.contains(name.text)) return;
     if (is_listed_) {
@@ -50,7 +50,7 @@ class FramesReader {
     return reader_.read(*step.amount, step.rotation ? ParameterKind::angle : ParameterKind::length);
   }
 
-  // Reports a name of the user's that was given before.
+  // Reports a user-given name that was used before.
   void name(const Name& name) {
     const auto [earlier, is_new] = names_.insert({name.text, place(name.span)});
     if (is_new) return;
@@ -59,7 +59,7 @@ class FramesReader {
   }
 
   Place place(const Span& span) const { return {source_, span}; }
-  // In the order of the list, or of their first use.
+  // In the order of the list, or of first use if there is no list.
   const std::vector<std::string>& frames() const { return frames_; }
   const QuantityReader& quantities() const { return reader_; }
 
@@ -83,10 +83,11 @@ class FramesReader {
   std::map<std::string, Place> names_;
 };
 
-// The frames that the motions so far connect: each frame leads to the representative of its tree.
+// A disjoint-set forest of the frames that the motions so far connect: each frame leads to the representative of its
+// tree.
 class Forest {
  public:
-  // False when they are connected already.
+  // Returns false if the frames are already connected.
   bool connect(const std::string& a, const std::string& b) {
     const std::string root_a = root(a), root_b = root(b);
     if (root_a == root_b) return false;
@@ -160,7 +161,8 @@ class MotionsReader {
     return result;
   }
 
-  // One note: a document of a robot has many such motions, for joints at the origin of their links.
+  // Reports all of them in one note: the document of a robot has many such motions, for joints at the origin of their
+  // links.
   void mention_empty_motions() {
     const auto is_empty = [](const language::motion::Motion& m) { return m.steps.empty(); };
     const auto& motions = document_.motions;

@@ -1,11 +1,11 @@
-// Names of other formats as identifiers.
+// Converts names of other formats to identifiers.
 #pragma once
 
 #include <string>
 
 namespace robcogen::import {
 
-// The name with `_` instead of each character that an identifier cannot have, and before a digit at its beginning.
+// Returns the name with `_` in place of each character that an identifier cannot contain, and before a leading digit.
 std::string identifier(const std::string& name);
 
 }  // namespace robcogen::import

@@ -90,7 +90,7 @@ class Describer {
   }
 
   std::array<Quantity, 3> read(const kinematics::Vector& v, ParameterKind kind) {
-    // In this order, which determines the order of the parameters.
+    // Evaluation order matters: it determines the order of the parameters.
     const Quantity x = reader_.read(*v[0], kind), y = reader_.read(*v[1], kind), z = reader_.read(*v[2], kind);
     return {x, y, z};
   }
@@ -159,9 +159,9 @@ class Describer {
     return result;
   }
 
-  // Warns of one that looks like millimetres.
+  // Warns about a pitch that looks like millimetres.
   Quantity read_pitch(const kinematics::Joint& joint) {
-    constexpr double kLikely = 1.0;  // m/rad: no screw is as steep
+    constexpr double kLikely = 1.0;  // m/rad: no screw is this steep
     const Quantity pitch = reader_.read(*joint.pitch, ParameterKind::length);
     if (pitch.is_constant() && std::abs(pitch.number().value()) > kLikely)
       diagnostics_

@@ -1,4 +1,4 @@
-// From robot documents to the model: resolves names and evaluates expressions.
+// Converts robot documents to the model: resolves names and evaluates expressions.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@
 
 namespace robcogen::import {
 
-// Of a joint of one coordinate.
+// The type of a joint with one coordinate.
 model::JointType type_of(language::kinematics::Joint::Type type);
-// Of one of several.
+// The type of a joint with several coordinates; nullopt for a joint with one.
 std::optional<model::CompoundType> compound_type_of(language::kinematics::Joint::Type type);
 
-// The robot of the document, with its parameters, whose kind follows from where they stand. Reports errors in
+// Returns the robot of the document and its parameters, whose kind follows from where they are used. Reports errors in
 // expressions, such as constants that are not finite, and parameters of two kinds.
 model::Description describe(const language::kinematics::Document& document, Diagnostics& diagnostics);
 
-// describe, then model::build.
+// Calls describe, then model::build.
 std::optional<model::KinematicTree> kinematic_tree(
     const language::kinematics::Document& document,
     Diagnostics& diagnostics);
 
 // Resolves the frames of the list. A pair with an unknown frame is skipped with a warning. Duplicates, unlisted frames
-// and another robot name are warnings.
+// and a different robot name are warnings too.
 model::DesiredTransforms desired_transforms(
     const language::desired::Document& document,
     const model::KinematicTree& tree,
@@ -38,13 +38,14 @@ struct NamedContact {
   Place place;
 };
 
-// Unknown frames, frames of a fixed base and repetitions are errors: the rows of contacts follow from the list.
+// Unknown frames, frames of a fixed base and repetitions are errors, because the list determines the rows of the
+// contact functions.
 std::vector<model::ContactFrame> contact_frames(
     const std::vector<NamedContact>& names,
     const model::KinematicTree& tree,
     Diagnostics& diagnostics);
 
-// The codes of the warnings of desired_transforms, which a strict reading makes errors.
+// The codes of the warnings of desired_transforms, which strict mode turns into errors.
 const std::vector<std::string>& lenient_codes();
 
 }  // namespace robcogen::import

@@ -1,4 +1,4 @@
-// How large the quantities of a robot are.
+// Bounds on the magnitude of the quantities of a robot.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace robcogen::import {
 
-// In SI units, no quantity of a robot is as large as this: products of a few quantities would overflow.
+// No quantity of a robot is this large in SI units. Beyond this bound, products of a few quantities would overflow.
 inline constexpr double kTooLarge = 1e15;
-// A quantity as small as this is zero: its reciprocal would overflow.
+// A quantity this small is treated as zero: its reciprocal would overflow.
 inline constexpr double kZero = 1e-60;
 
-// The message about a quantity that is not below the bound; `what` is its value, or names it.
+// Returns the message about a quantity that is not below the bound. `what` is its value or a description of it.
 std::string too_large(std::string_view what);
 
 }  // namespace robcogen::import

@@ -1,4 +1,4 @@
-// From MuJoCo's MJCF to the model.
+// Converts MuJoCo's MJCF to the model.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace robcogen::import {
 
 struct MjcfOptions {
-  // A joint that an `equality` couples to another is a joint of its own; otherwise it is coupled.
+  // If true, a joint that an `equality` couples to another is an independent joint; otherwise it is coupled.
   bool free_equality_joints = false;
 };
 
@@ -20,16 +20,16 @@ struct Mjcf {
   std::vector<std::filesystem::path> included;  // files
 };
 
-// The kinematic tree of an MJCF model, in the conventions of MuJoCo: positions have its zero and its sign, joints its
-// order.
-// - The base is the body with the free joint, or the world. Bodies without joints are part of their parents, and a body
-//   with several joints is the last of a chain of links, of which the others have no mass.
-// - A link frame of the model has z along the joint's axis, and its origin on it. Every body and every site is a user
-//   frame of its name.
-// - Mass properties are those of `inertial`, or of geoms of simple shape.
-// - Damping, friction, armature, springs and limits are those of the joints.
-// Paths of included files are relative to the folder of `file`. Reports, with places, what the model does not have, and
-// in notes what was not read. nullopt when an error was reported.
+// Returns the kinematic tree of an MJCF model in the conventions of MuJoCo: joint positions have MuJoCo's zero and
+// sign, and joints have its order.
+// - The base is the body with the free joint, or the world. A body without joints is part of its parent. A body with
+//   several joints is the last of a chain of links, the others of which have no mass.
+// - A link frame of the model has its z axis along the joint axis and its origin on it. Every body and every site is a
+//   user frame of the same name.
+// - Mass properties come from `inertial`, or from geoms of simple shape.
+// - Damping, friction, armature, springs and limits come from the joints.
+// Paths of included files are relative to the folder of `file`. Reports, with places, what the model cannot represent,
+// and notes what was not read. nullopt if an error was reported.
 std::optional<Mjcf> mjcf(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,

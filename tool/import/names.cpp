@@ -32,7 +32,7 @@ constexpr auto kUnits = std::to_array<Unit>(
      {"grad", kDegrees},  {"n", kOther},     {"nm", kOther},     {"kn", kOther},       {"nms", kOther},
      {"s", kOther},       {"sec", kOther},   {"ms", kOther},     {"hz", kOther},       {"rpm", kOther}});
 
-// Names of the constant and its multiples in other languages.
+// Names of PI and its multiples in other languages.
 constexpr auto kPiSpellings = std::to_array<std::string_view>(
     {"m_pi", "m_pi_2", "m_pi_4", "pi_2", "pi_4", "pi2", "pi4", "twopi", "two_pi", "halfpi", "half_pi", "mpi"});
 
@@ -72,7 +72,7 @@ Word word_around(const std::string& text, std::size_t begin, std::size_t end) {
 }
 
 constexpr std::size_t kMinWordLength = 4;
-// Larger documents are written by programs, which do not misspell names; comparing all pairs would take long.
+// Larger documents are written by programs, which do not misspell names; comparing all pairs of names would take long.
 constexpr std::size_t kMaxCompared = 3000;
 
 }  // namespace
@@ -82,7 +82,7 @@ bool differ_by_slip(const std::string& a, const std::string& b) {
   if (a == b || b.size() - a.size() > 1) return false;
   std::size_t begin = 0, end = 0;  // lengths of the common beginning and end
   while (begin < a.size() && lower(a[begin]) == lower(b[begin])) ++begin;
-  if (begin == b.size()) return a.size() >= kMinWordLength;  // they differ in case only
+  if (begin == b.size()) return a.size() >= kMinWordLength;  // the names differ in case only
   while (end < a.size() - begin && lower(a[a.size() - 1 - end]) == lower(b[b.size() - 1 - end])) ++end;
   const std::string_view in_a = std::string_view(a).substr(begin, a.size() - end - begin);
   const std::string_view in_b = std::string_view(b).substr(begin, b.size() - end - begin);
@@ -134,7 +134,7 @@ void NameUses::report(Diagnostics& diagnostics) const {
 bool NameUses::report_accident(const std::string& text, const Name& name, Diagnostics& diagnostics) const {
   const std::string otherwise = fmt::format("; write '^{}' for a {} of this name", text, name.what);
   const Unit* unit = unit_of(text);
-  // A single letter is a unit only after a number.
+  // A single letter counts as a unit only after a number.
   if (unit != nullptr && (text.size() > 1 || name.after_number == name.count)) {
     diagnostics.warning("unit-as-name", name.first, fmt::format("'{}' is a {} here, not a unit", text, name.what))
         .hint = fmt::format("{}{}", unit->instead, otherwise);
@@ -159,7 +159,7 @@ void NameUses::report_similar(const std::string& text, const Name& name, Diagnos
   if (name.count > 1 || names_.size() > kMaxCompared) return;
   for (const auto& [other_text, other] : names_) {
     if (!differ_by_slip(text, other_text)) continue;
-    // Of two names that are used once, the later one is reported.
+    // Of two similar names that are used once, only the later one is reported.
     const bool other_is_later = other.first.span.begin > name.first.span.begin;
     if (!other.is_meant && other.count == 1 && other_is_later) continue;
     Diagnostic& warning =

@@ -1,5 +1,5 @@
 // Names of a document that may be parameters or variables by accident: units, a misspelt constant, letters at the end
-// of a number, a misspelt name.
+// of a number, or a misspelt name.
 #pragma once
 
 #include <map>
@@ -12,18 +12,18 @@
 
 namespace robcogen::import {
 
-// The uses of all names of a document. A name that is declared (in a group, by a default, as `p:name`) or escaped
-// (`^kg`) is meant.
+// The uses of all names of a document. A name that is declared (in a group, by a default value, as `p:name`) or escaped
+// (`^kg`) is intended.
 class NameUses {
  public:
-  // `what` the name is: `parameter`, `variable`.
+  // Records a use. `what` is the meaning of the name: `parameter` or `variable`.
   void use(const language::Expression& name, const std::string& what, const Place& place);
-  // A product `2.0 a` or `2.0a`, whose name was passed to use().
+  // Records a product `2.0 a` or `2.0a`, whose name was passed to use().
   void multiply_by_number(const language::Expression& product, const Place& place);
   void declare(const std::string& name, const Place& place);
 
-  // Warns of units, of spellings of the constant PI, of numbers that run into names, and of names used once that are
-  // similar to others.
+  // Warns about units, about spellings of the constant PI, about numbers that run into names, and about names used once
+  // that are similar to others.
   void report(Diagnostics& diagnostics) const;
 
  private:
@@ -44,11 +44,11 @@ class NameUses {
   std::map<std::string, Name> names_;
 };
 
-// Whether the names differ by one letter inside a word: inserted, missing, replaced, or exchanged with its neighbour:
-// `lenght` and `length`, but not `m1` and `m2`, `offset_x` and `offset_y`, `mass_LF` and `mass_LH`.
+// Whether two names differ by one letter inside a word: inserted, missing, replaced, or exchanged with its neighbour.
+// `lenght` and `length` do, but not `m1` and `m2`, `offset_x` and `offset_y`, or `mass_LF` and `mass_LH`.
 bool differ_by_slip(const std::string& a, const std::string& b);
 
-// The codes of the warnings above, and of angles that look like degrees: errors under --strict.
+// The codes of the warnings above, and of angles that look like degrees. They are errors under --strict.
 const std::vector<std::string>& accident_codes();
 
 }  // namespace robcogen::import

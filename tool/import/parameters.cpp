@@ -104,7 +104,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
 }
 
 void QuantityReader::check_angle(const Expression& expression, const Number& angle, double turns) {
-  // A multiple of PI is intended, and so is 6.2832, a turn.
+  // A multiple of PI is intentional, and so is 6.2832, a full turn.
   constexpr double kTurn = 6.2833;
   const double size = std::abs(angle.value());
   if (angle.is_pi_multiple() || size < turns * kTurn || size > kTooLarge) return;
@@ -133,14 +133,14 @@ Quantity QuantityReader::finite(const Expression& expression, ParameterKind kind
   const int faults_before = faults_;
   const Quantity result = operate(expression, kind);
   const bool is_finite = !result.is_constant() || std::isfinite(result.number().value());
-  // Report only the innermost expression.
+  // Only the innermost expression is reported.
   if (is_finite || faults_ > faults_before) return result;
   return fault(diagnostics_.error("not-finite", place(expression), "this expression has no finite value"));
 }
 
 Quantity QuantityReader::fault(const Diagnostic&) {
   ++faults_;
-  // Results of NaN are NaN, which the checks of the model accept.
+  // NaN propagates through operations, and the checks of the model accept it.
   return Quantity(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -160,7 +160,7 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
       return constant(expression);
     case Expression::Kind::negate:
       return -left();
-    // Operands in this order, which determines the order of the parameters.
+    // Evaluation order of the operands matters: it determines the order of the parameters.
     case Expression::Kind::add: {
       const Quantity a = left(), b = right();
       return a + b;

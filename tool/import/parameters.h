@@ -1,4 +1,4 @@
-// From expressions of a document to quantities of the model, collecting parameters and named constants on the way.
+// Converts expressions of a document to quantities of the model, and collects parameters and named constants.
 #pragma once
 
 #include <map>
@@ -17,8 +17,8 @@ namespace robcogen::import {
 // The meaning of a name without a declaration: a parameter in robots, a variable in motions and transforms.
 enum class PlainName { parameter, variable };
 
-// The kind of a parameter follows from where it stands: a length or an angle in placements, otherwise inertial. `PI` in
-// upper or lower case is the constant, unless a parameter of exactly this name is declared.
+// Reads expressions. The kind of a parameter follows from where it is used: a length or an angle in placements,
+// otherwise inertial. `PI` in upper or lower case is the constant, unless a parameter of exactly this name is declared.
 class QuantityReader {
  public:
   QuantityReader(
@@ -35,25 +35,25 @@ class QuantityReader {
   // be used anywhere in the document. Reports a constant with two values.
   void declare_names_in(const language::Expression& expression);
 
-  // `kind` is the kind of parameters in this place. Reports a parameter of two kinds or with two defaults, an unknown
-  // constant, and an expression whose value is not finite or too large for a robot (with parameters: for all their
-  // values). A constant close to zero becomes zero.
+  // Converts an expression. `kind` is the kind of parameters in this place. Reports a parameter of two kinds or with
+  // two default values, an unknown constant, and an expression whose value is not finite or too large for a robot (with
+  // parameters: for all their values). A constant close to zero becomes zero.
   model::Quantity read(const language::Expression& expression, model::ParameterKind kind);
 
-  // Whether the expressions declare a parameter of this name, or those that were read use one.
+  // Whether the expressions declare a parameter of this name, or those read so far use one.
   bool knows_parameter(const std::string& name) const {
     return parameter_indices_.contains(name) || with_default_.contains(name) || parameters_by_spelling_.contains(name);
   }
 
-  // Warns of names that may be parameters by accident. To be called after all expressions were read.
+  // Warns about names that may be parameters by accident. Must be called after all expressions were read.
   void report_accidents() const { uses_.report(diagnostics_); }
 
   Place place(const Span& span) const { return {source_, span}; }
   Place place(const language::Expression& expression) const { return place(expression.span); }
 
-  // First those of groups, as declared; then the others in the order of their first use.
+  // First the parameters of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
-  // Warns of an angle of more than so many turns, unless it is a multiple of PI.
+  // Warns about an angle (rad) of more than this many turns, unless it is a multiple of PI.
   void check_angle(const language::Expression& expression, const Number& angle, double turns = 1.0);
   // In the order of their first use.
   const std::vector<std::string>& variables() const { return variables_; }
@@ -70,7 +70,7 @@ class QuantityReader {
   model::Quantity parameter(const language::Expression& expression, model::ParameterKind kind);
   void add_parameter(const std::string& name, model::ParameterKind kind, const Place& place);
   model::Quantity constant(const language::Expression& expression);
-  // The least magnitude for the trial values of parameters; infinite when no value is finite.
+  // The smallest magnitude over the trial values of the parameters; infinite if no value is finite.
   double least_magnitude(const model::Quantity& q) const;
   // The value of an expression after an error in it was reported.
   model::Quantity fault(const Diagnostic& reported);
@@ -85,7 +85,7 @@ class QuantityReader {
   std::vector<model::Parameter> parameters_;
   std::vector<std::string> variables_;
   std::vector<std::vector<double>> trials_;           // sets of values of all parameters
-  std::vector<std::vector<double>> variable_trials_;  // and of all variables
+  std::vector<std::vector<double>> variable_trials_;  // sets of values of all variables
   int faults_ = 0;
   NameUses uses_;
   std::map<std::string, int> parameter_indices_;
@@ -98,8 +98,8 @@ class QuantityReader {
   };
   std::map<std::string, Group> groups_;
   std::set<std::string> grouped_;                        // parameters of groups
-  std::set<std::string> with_default_;                   // parameters that a use gives a default
-  std::set<std::string> unused_;                         // those of them that were not used yet
+  std::set<std::string> with_default_;                   // parameters that have a default value at some use
+  std::set<std::string> unused_;                         // grouped parameters that have not been used yet
   std::map<std::string, Place> parameters_by_spelling_;  // `p:name`
   std::map<std::string, int> variable_indices_;
   std::set<std::string> ambiguous_;  // names that were reported as both variables and parameters

@@ -18,12 +18,12 @@ constexpr Real kPi = std::numbers::pi_v<Real>;
 using QuarterTurns = std::array<std::array<int, 3>, 3>;
 using Matrix = std::array<std::array<Real, 3>, 3>;
 
-// A rotation of more turns is reduced to three.
+// A rotation with more turns is reduced to three.
 constexpr std::size_t kMaxTurns = 12;
 
 // --- quarter turns ----------------------------------------------------------------------------------------------
 
-// The number of quarter turns, when the angle is exactly a multiple.
+// Returns the number of quarter turns if the angle is exactly a multiple of PI/2.
 std::optional<int> quarter_turns_in(const Number& angle) {
   if (angle.is_zero()) return 0;
   if (!angle.is_pi_multiple() || angle.ratio()->den > 2) return std::nullopt;
@@ -66,7 +66,7 @@ QuarterTurns quarter_turns(int axis, int count) {
   return turn_matrix(axis, kSines[at(count)], kSines[at((count + 1) % 4)]);
 }
 
-// rotation * turn
+// rotation = rotation * turn
 void append(Rotation& rotation, const Turn& turn) {
   if (const auto count = quarter_turns_in(turn.angle)) {
     rotation.quarter_turns = rotation.quarter_turns * quarter_turns(turn.axis, *count);
@@ -102,7 +102,7 @@ Matrix matrix_of(const Rotation& rotation, const std::vector<Real>& angles) {
   return m * rest;
 }
 
-// An angle that a rotation may have: its value in the matrix under examination, and its meaning.
+// An angle that a rotation may have: its value in the matrix under examination, and its exact meaning.
 struct Candidate {
   Real value;
   Number meaning;
@@ -117,14 +117,14 @@ struct Angles {
   bool all_are_candidates = false;
 };
 
-// The first candidate that equals the angle, else the nearest double.
+// Returns the first candidate that equals the angle, or else the nearest double; and whether it is a candidate.
 std::pair<Number, bool> meaning_of(Real angle, const std::vector<Candidate>& candidates, Real tolerance) {
   for (const Candidate& c : candidates)
     if (is_same_angle(angle, c.value, tolerance)) return {c.meaning, true};
   return {Number(static_cast<double>(angle)), false};
 }
 
-// Rx and Ry for a known Rz: R Rz' = Rx Ry.
+// Returns Rx and Ry for a known Rz: R Rz' = Rx Ry.
 Angles angles_for(
     const Matrix& R,
     Real rz,
@@ -137,8 +137,8 @@ Angles angles_for(
   return {{x, y, rz_meaning.first}, x_is_candidate && y_is_candidate && rz_meaning.second};
 }
 
-// The nearer Ry is to a quarter turn, the less Rz matters on its own: any candidate is accepted that moves the matrix
-// by no more than the tolerance.
+// The nearer Ry is to a quarter turn, the less Rz matters on its own: any candidate that moves the matrix by no more
+// than the tolerance is accepted.
 Angles angles_of(const Matrix& R, const std::vector<Candidate>& candidates, Real tolerance) {
   constexpr Real kAnyAngle = 2 * kPi;
   const Real cosine = std::hypot(R[0][0], R[0][1]);
@@ -151,7 +151,8 @@ Angles angles_of(const Matrix& R, const std::vector<Candidate>& candidates, Real
   return angles_for(R, rz, {Number(static_cast<double>(rz)), false}, candidates, tolerance);
 }
 
-// Replaces the angles of the rotation by others without accidental equalities: the result holds for any angles.
+// Computes with other angles in place of those of the rotation, free of accidental equalities, so that the result holds
+// for any angles.
 Angles angles_by_structure(const Rotation& rotation) {
   constexpr Real kTolerance = 1e-14L;
   std::vector<Real> angles;
@@ -187,14 +188,14 @@ Angles angles_by_value(const Rotation& rotation) {
     candidates.push_back({-angles.back(), -turn.angle});
     all_are_multiples = all_are_multiples && turn.angle.is_pi_multiple();
   }
-  // An angle that may be either is not made exact.
+  // Candidates that are not multiples of PI come first: an angle that matches both kinds is not made exact.
   std::stable_partition(
       candidates.begin() + 1, candidates.end(), [](const Candidate& c) { return !c.meaning.is_pi_multiple(); });
   for (int k = -11; k <= 12 && all_are_multiples; ++k) candidates.push_back({k * kPi / 12, Number::pi_multiple(k, 12)});
   return angles_of(matrix_of(rotation, angles), candidates, kTolerance);
 }
 
-// atan2, as a multiple of PI where it is exactly one.
+// atan2, as a multiple of PI/4 where it is exactly one.
 Number exact_atan2(const Number& y, const Number& x) {
   const double ay = std::abs(y.value()), ax = std::abs(x.value());
   const int sign = y.value() < 0.0 ? -1 : 1;

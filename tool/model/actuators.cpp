@@ -21,7 +21,7 @@ bool has_own_name(const DescribedActuator& described, const KinematicTree& tree,
   return false;
 }
 
-// Whether the origins of two frames coincide in every position; an actuator between them has no direction.
+// Whether the origins of two frames coincide in every position. An actuator between such frames has no direction.
 bool coincide(const KinematicTree& tree, const Frame& first, const Frame& second) {
   constexpr double kSame = 1e-12;
   LoopJoint between;

@@ -1,4 +1,4 @@
-// From a description, whose elements refer to one another by name, to a tree.
+// Builds the kinematic tree from a description, whose elements refer to one another by name.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@ namespace robcogen::model {
 
 namespace {
 
-// The mention of a child that made one link the parent of another.
+// The parent of a link, and where the document lists the link as its child.
 struct Parenthood {
   int parent = -1;  // link
   Place place;
 };
 
-// What the steps of `build` share.
+// The state that the steps of `build` share.
 struct Assembly {
   const Description& description;
   Diagnostics& diagnostics;
@@ -34,7 +34,7 @@ struct Assembly {
   KinematicTree tree{};
   std::vector<std::optional<Parenthood>> parents{};  // by link
   std::vector<std::optional<Place>> joint_uses{};    // by joint
-  // Elements that a misspelt name probably means: they are not reported as unused too.
+  // Elements that a misspelt name probably refers to. They are not also reported as unused.
   std::set<int> meant_links{};
   std::set<int> meant_joints{};
   // After an error about a name, errors that may follow from it are not reported.
@@ -45,8 +45,8 @@ struct Assembly {
   const DescribedLink& link(std::size_t index) const { return described_link(description, index); }
 };
 
-// Adds a name. Reports a name that another element has, or that differs from another name in case only. `elements` are
-// those added so far. Returns whether the name is new.
+// Adds a name to `index`. Reports a name that another element has, or that differs from another name in case only.
+// `elements` are the elements added so far. Returns whether the name is new.
 template <class Element>
 bool declare(
     NameIndex& index,
@@ -98,7 +98,8 @@ void declare_elements(Assembly& a) {
   a.joint_uses.resize(a.tree.joints.size());
 }
 
-// The components of a spherical joint and the elements of its quaternion have names of their own.
+// The coordinates of a spherical joint and the elements of its quaternion have implicit names, which no other joint may
+// have.
 void check_names_of_components(Assembly& a) {
   for (const DescribedJoint& joint : a.description.joints) {
     if (joint.type != JointType::spherical) continue;
@@ -115,7 +116,7 @@ void check_names_of_components(Assembly& a) {
   }
 }
 
-// The owner of the implicit frame of this name: "link 'hip'"; empty when there is no such frame.
+// Returns the owner of the implicit frame of this name, as in "link 'hip'"; empty if there is no such frame.
 std::string owner_of_implicit_frame(const Assembly& a, const std::string& frame) {
   const std::string prefix = implicit_frame_name("");
   if (!frame.starts_with(prefix)) return "";
@@ -182,7 +183,7 @@ std::optional<int> find_or_report(
     std::set<int>& meant,
     Diagnostics& diagnostics) {
   if (const auto found = index.find(name)) return found;
-  if (repeats) return std::nullopt;  // one of the equal names may be meant to be this one
+  if (repeats) return std::nullopt;  // the name may refer to one of the duplicates
   Diagnostic& error = diagnostics.error(unknown_code, place, fmt::format("{} '{}' is not declared", kind, name));
   if (name == "world") {
     error.hint = "leave the world out: the RobotBase is fixed to it, or moves in it when it is 'floating'";
@@ -256,7 +257,7 @@ void report_unused_joints(Assembly& a) {
   }
 }
 
-// `loop` leads from each link to its parent.
+// Reports a cycle. `loop` lists its links, each followed by its parent.
 void report_cycle(Assembly& a, std::vector<int> loop) {
   constexpr std::size_t kShown = 8;
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -272,7 +273,8 @@ void report_cycle(Assembly& a, std::vector<int> loop) {
   error.notes.push_back({a.parents[at(loop.front())]->place, fmt::format("'{}' becomes a child here", first.name)});
 }
 
-// Every link must lead to the base. One that does not is in a cycle, or beyond one, or in an island.
+// Checks that every link leads to the base. A link that does not is part of a cycle, lies beyond one, or is in an
+// island.
 void check_connected(Assembly& a) {
   if (a.links_repeat) return;
   enum class State { unseen, on_this_walk, done };
@@ -324,7 +326,7 @@ void resolve_carrier(Assembly& a, std::size_t index) {
   rotor->carrier = *link;
   if (*link == parent || rotor->axis) return;
   if (*link == a.tree.joints[index].child) {
-    rotor->axis = {Quantity(), Quantity(), Quantity(1.0)};  // the joint's, in axes of the child
+    rotor->axis = {Quantity(), Quantity(), Quantity(1.0)};  // the joint axis, in the axes of the child
     return;
   }
   a.diagnostics
@@ -335,7 +337,7 @@ void resolve_carrier(Assembly& a, std::size_t index) {
       .hint = fmt::format("write axis = (x, y, z) in coordinates of '{}'", name);
 }
 
-// Of elements that there are; those that others hide are left out.
+// Replaces names by indices. Undeclared elements, and frames that implicit frames hide, are left out.
 std::vector<Limb::Element> resolved(
     const std::vector<DescribedLimb::Element>& elements,
     const NameIndex& index,

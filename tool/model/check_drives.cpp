@@ -33,7 +33,7 @@ void check_rotor(const DescribedJoint& joint, const Rotor& rotor, Diagnostics& d
         fmt::format("the axis of the rotor of joint '{}' has no direction: all its components are zero", joint.name));
 }
 
-// Those of a document that has a place for them.
+// Checks limits that the document states.
 void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
   const JointLimits& limits = joint.limits;
   const DrivePlaces& places = joint.drive_places;
@@ -49,7 +49,7 @@ void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
     check_not_negative(joint, "effort limit", Quantity(limits.effort), places.effort_limit, diagnostics);
 }
 
-// What needs an axis, or a position that is a number.
+// Refuses what needs an axis or a scalar position.
 void check_spherical(const DescribedJoint& joint, Diagnostics& diagnostics) {
   const DrivePlaces& places = joint.drive_places;
   const auto refuse = [&](const char* what, const Place& place) {

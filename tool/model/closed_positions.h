@@ -1,4 +1,4 @@
-// Where joints are that follow through loops which no formulas close.
+// The positions of joints that follow through loops which no formulas close.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace robcogen::model {
 
-// The positions of followers_in_q(), in their order, where the elements of q have these values; `q` may have those of
-// followers, too, which are not read. Loops are followed on a straight way from where they are assembled; positions in
-// which they do not close are not numbers.
+// Returns the positions (rad, m) of followers_in_q(), in that order, at the given elements of q. `q` may include the
+// positions of the followers themselves, which are not read. Each loop is tracked along a straight line in joint space,
+// from the position in which it is assembled. The result is NaN where loops do not close.
 std::vector<double> closed_followers(
     const KinematicTree& tree,
     const std::vector<double>& q,

@@ -17,7 +17,7 @@ using Matrix = std::array<std::array<Quantity, 3>, 3>;
 
 const Quantity kQuarterTurn(Number::pi_multiple(1, 2));
 
-// Rotations about x and y that turn z to this axis: then z is where joints move.
+// Rotation angles about x, y and z that turn the z axis to this axis: a joint moves about or along z.
 std::array<Quantity, 3> rotation_to(Axis axis) {
   switch (axis) {
     case Axis::x:
@@ -44,7 +44,7 @@ Matrix transposed(const Matrix& m) {
   return t;
 }
 
-// A multiple of PI where it is exactly one.
+// Returns the angle with this sine and cosine; an exact multiple of PI/2 is stored as such.
 Quantity angle_of(const Quantity& sine, const Quantity& cosine) {
   const double y = sine.number().value(), x = cosine.number().value();
   if (sine.is_zero()) return Quantity(Number::pi_multiple(x < 0.0 ? 1 : 0));
@@ -52,7 +52,7 @@ Quantity angle_of(const Quantity& sine, const Quantity& cosine) {
   return Quantity(std::atan2(y, x));
 }
 
-// The angles of R = Rx Ry Rz. Where Rx and Rz turn about one axis, Rz is the identity.
+// Returns the angles of R = Rx Ry Rz. Where Rx and Rz turn about the same axis, Rz is the identity.
 std::array<Quantity, 3> angles_of(const Matrix& R) {
   const Quantity &r00 = R[0][0], &r01 = R[0][1];
   if (r00.is_zero() && r01.is_zero()) return {angle_of(R[2][1], R[1][1]), angle_of(R[0][2], Quantity()), Quantity()};
@@ -66,7 +66,8 @@ bool is_constant(const std::array<Quantity, 3>& q) {
   return std::all_of(q.begin(), q.end(), [](const Quantity& e) { return e.is_constant(); });
 }
 
-// The rotation, then one that turns z to this axis; nullopt where parameters are in the way.
+// Returns the angles of the rotation followed by one that turns z to this axis, or nullopt if they cannot be computed
+// because of parameters.
 std::optional<std::array<Quantity, 3>> turned(const std::array<Quantity, 3>& rotation, Axis axis) {
   if (axis == Axis::z) return rotation;
   if (axis == Axis::x && rotation[2].is_zero()) return std::array{rotation[0], rotation[1] + kQuarterTurn, Quantity()};
@@ -74,13 +75,14 @@ std::optional<std::array<Quantity, 3>> turned(const std::array<Quantity, 3>& rot
   return angles_of(product(rotation_matrix({{}, rotation}), rotation_matrix({{}, rotation_to(axis)})));
 }
 
-// From a link whose z is along one axis of the joint frame, to a frame whose z is along another.
+// Returns the rotation from a link whose z axis is along one axis of the joint frame to a frame whose z axis is along
+// another.
 std::array<Quantity, 3> rotation_between(Axis from, Axis to) {
   return angles_of(
       product(transposed(rotation_matrix({{}, rotation_to(from)})), rotation_matrix({{}, rotation_to(to)})));
 }
 
-// Of the base, or of a link.
+// The base, then the links.
 std::vector<DescribedLink*> all_links(Description& description) {
   std::vector<DescribedLink*> links = {&description.base};
   for (DescribedLink& link : description.links) links.push_back(&link);
@@ -94,17 +96,17 @@ UniqueNames names_in(Description& description) {
   return names;
 }
 
-// Puts links between the one that has the joint and its child. Returns whether there is such a link.
+// Inserts links between the parent and the child of the joint. Returns whether a link names the joint.
 bool add_links(const DescribedCompound& joint, Description& description) {
   const std::span<const CompoundCoordinate> coordinates = coordinates_of(joint.type);
   UniqueNames taken = names_in(description);
   std::vector<DescribedLink> between;
-  std::string last;  // the child
+  std::string last;  // the child of the compound joint
   for (DescribedLink* link : all_links(description)) {
     for (DescribedChild& child : link->children) {
       if (child.joint != joint.name) continue;
       child.joint = coordinate_name(joint.name, coordinates.front());
-      if (!between.empty()) continue;  // a second use, which `build` reports
+      if (!between.empty()) continue;  // a second use of the joint, which `build` reports
       last = child.link;
       DescribedChild* next = &child;
       for (std::size_t k = 1; k < coordinates.size(); ++k) {
@@ -166,7 +168,7 @@ void add_compound(const DescribedCompound& joint, Description& description, Diag
         "the first coordinate is about x: without a third angle, (a, b, 0.0), the angles may be parameters",
         joint.name);
   if (!add_links(joint, description)) {
-    // `build` reports it, under its own name.
+    // `build` reports the unused joint under its own name.
     DescribedJoint unused;
     unused.name = joint.name;
     unused.place = joint.place;

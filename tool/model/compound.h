@@ -1,4 +1,5 @@
-// Joints of several coordinates, in descriptions: chains of joints of one coordinate, without bodies between them.
+// Joints with several coordinates, in descriptions: each is a chain of joints with one coordinate, without bodies
+// between them.
 #pragma once
 
 #include <span>
@@ -11,19 +12,19 @@
 namespace robcogen::model {
 
 enum class CompoundType {
-  cylindrical,  // slides along z, and turns about it
-  universal,    // turns about x, then about z, which has turned with it
-  planar,       // slides along x and y, and turns about z
+  cylindrical,  // slides along z and turns about it
+  universal,    // turns about x, then about the z axis that this has turned
+  planar,       // slides along x and y and turns about z
 };
 
-// One coordinate: the axis is of the joint frame, as the coordinates before have turned it.
+// One coordinate. Its axis is an axis of the joint frame as the coordinates before it have moved that frame.
 struct CompoundCoordinate {
   const char* name;
   JointType type;
   Axis axis;
 };
 
-// From the parent to the child; z is the last axis of all.
+// In order from the parent to the child. The axis of the last coordinate is z for every type.
 std::span<const CompoundCoordinate> coordinates_of(CompoundType type);
 
 // `<joint>_<coordinate>`
@@ -35,11 +36,12 @@ struct DescribedCompound {
   CompoundType type = CompoundType::cylindrical;
   Placement placement;  // of the joint frame
   Place placement_place;
-  std::vector<DescribedJoint> coordinates;  // one each: their drives and limits
+  std::vector<DescribedJoint> coordinates;  // one entry per coordinate: its drive and limits
 };
 
-// Adds its joints to a description that has all links, one of which names it as the joint of a child. Links without
-// mass, `<joint>_<coordinate>_link`, carry all but the first. Reports a rotation whose parameters do not allow this.
+// Adds the joints of a compound joint to a description that already has all links, one of which names the compound
+// joint as the joint of a child. Massless links, `<joint>_<coordinate>_link`, are inserted between these joints.
+// Reports a rotation whose parameters do not allow this.
 void add_compound(const DescribedCompound& joint, Description& description, Diagnostics& diagnostics);
 
 }  // namespace robcogen::model

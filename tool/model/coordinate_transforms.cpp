@@ -10,7 +10,7 @@ namespace robcogen::model {
 
 namespace {
 
-// from_X_to of one motion, as primitives whose moved frame is on the right.
+// Returns from_X_to of one motion as primitives whose moved frame is on the right.
 std::vector<PrimitiveTransform> primitives_of(const Motion& motion, MotionConvention convention) {
   std::vector<PrimitiveTransform> primitives;
   for (const ElementaryMotion& step : motion.steps)
@@ -46,7 +46,7 @@ MotionGraph::MotionGraph(const RigidMotions& motions) : convention_(motions.conv
   leaving_.resize(frames_.size());
 }
 
-// Breadth first, so that it is the shortest.
+// Searches breadth first, so the path is the shortest.
 std::optional<std::vector<MotionGraph::Step>> MotionGraph::walk(int from, int to) const {
   std::vector<const Step*> reached_by(leaving_.size(), nullptr);
   std::vector<int> queue = {from};
@@ -79,7 +79,7 @@ std::optional<CoordinateTransform> MotionGraph::transform_between(
   for (const Step& step : *walk) {
     std::vector<PrimitiveTransform> primitives = primitives_of(*step.motion, convention_);
     if (step.backwards) std::reverse(primitives.begin(), primitives.end());
-    // Both an inverse and the moved frame on the left negate.
+    // An inverse and a moved frame on the left each negate.
     const bool negate = step.backwards != (position == MovedFramePosition::left);
     for (PrimitiveTransform& primitive : primitives) {
       transform.primitives.push_back(negate ? inverse(std::move(primitive)) : std::move(primitive));

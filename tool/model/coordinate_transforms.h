@@ -11,25 +11,25 @@
 
 namespace robcogen::model {
 
-// right: Rx(a) maps coordinates of the frame rotated by +a to the original frame (the usual rotation matrix), Tx(d)
-// those of the frame moved by +d. left: the inverse.
+// right: Rx(a) maps coordinates in the frame rotated by +a to coordinates in the original frame (the usual rotation
+// matrix), and Tx(d) maps coordinates in the frame moved by +d. left: the inverse.
 enum class MovedFramePosition { left, right };
 
 struct PrimitiveTransform {
   bool rotation = false;
   Axis axis = Axis::x;
   Quantity amount;
-  std::vector<Quantity> quaternion = {};  // as ElementaryMotion has it
+  std::vector<Quantity> quaternion = {};  // as in ElementaryMotion
 };
 
 PrimitiveTransform inverse(PrimitiveTransform primitive);
 
-// left_X_right = the product of the primitives, first one leftmost; empty is the identity.
+// left_X_right is the product of the primitives, in order from left to right. An empty product is the identity.
 struct CoordinateTransform {
   std::string left;
   std::string right;
   std::vector<PrimitiveTransform> primitives;
-  std::string name;  // user name, may be empty
+  std::string name;  // given by the user, or empty
 };
 
 struct CoordinateTransforms {
@@ -40,13 +40,15 @@ struct CoordinateTransforms {
   std::vector<CoordinateTransform> transforms;
 };
 
-// Frames, and the motions between them, for many questions about the same motions; these must outlive it.
+// The graph of frames and the motions between them, built once for many queries. It refers to the motions, which must
+// outlive it.
 class MotionGraph {
  public:
   explicit MotionGraph(const RigidMotions& motions);
 
-  // The transform between any two frames that the motions connect: the shortest path is walked from `left` to `right`,
-  // a motion walked backwards contributes its inverse. nullopt when the frames are unknown or not connected.
+  // Returns the transform between any two frames that the motions connect. It follows the shortest path from `left` to
+  // `right`; a motion traversed backwards contributes its inverse. nullopt if a frame is unknown or the two are not
+  // connected.
   std::optional<CoordinateTransform> transform_between(
       const std::string& left,
       const std::string& right,
@@ -67,31 +69,31 @@ class MotionGraph {
   std::vector<std::vector<Step>> leaving_;  // by frame, in the order of the motions
 };
 
-// The same for a single question.
+// The same for a single query.
 std::optional<CoordinateTransform> transform_between(
     const RigidMotions& motions,
     const std::string& left,
     const std::string& right,
     MovedFramePosition position = MovedFramePosition::right);
 
-// left, right of left_X_right.
+// The names of left and right in left_X_right.
 using FrameNames = std::pair<std::string, std::string>;
 
-// One transform for each motion, and its inverse.
+// For each motion, its transform and the inverse.
 std::vector<FrameNames> default_transforms(const RigidMotions& motions);
 
-// The transforms between these frames, in their order. All must be connected.
+// Returns the transforms between these pairs of frames, in the same order. All pairs must be connected.
 CoordinateTransforms transforms_of(
     const RigidMotions& motions,
     const std::vector<FrameNames>& pairs,
     MovedFramePosition position = MovedFramePosition::right);
 
-// The motions of transforms: their frames, and one motion per transform. Unlike those of a document, they may connect
-// two frames by several paths.
+// Converts transforms to motions: one motion per transform. Unlike the motions of a document, these may connect two
+// frames by several paths.
 RigidMotions motions_of(const CoordinateTransforms& transforms);
 
-// The transforms between these frames, in their order: those in `transforms`, and products of them. All must be
-// connected.
+// Returns the transforms between these pairs of frames, in the same order: those in `transforms`, or products of them.
+// All pairs must be connected.
 CoordinateTransforms chosen(const CoordinateTransforms& transforms, const std::vector<FrameNames>& pairs);
 
 }  // namespace robcogen::model

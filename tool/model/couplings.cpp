@@ -12,7 +12,7 @@
 namespace robcogen::model {
 namespace {
 
-// q = offset + sum of factor * q_k, by joint k.
+// q = offset + sum of factor * q_k; the factors are indexed by joint k.
 struct Sum {
   std::map<int, Quantity> factors;
   Quantity offset;
@@ -63,10 +63,10 @@ class Resolution {
   bool joints_repeat_;
   Diagnostics& diagnostics_;
   std::size_t errors_before_;
-  std::vector<std::optional<Declared>> declared_;  // by joint, as the next two
+  std::vector<std::optional<Declared>> declared_;  // by joint, like the next two
   std::vector<State> states_;
   std::vector<Sum> sums_;
-  std::vector<int> walk_;  // those to resolve, what they follow behind them
+  std::vector<int> walk_;  // stack of joints to resolve: the joints that a joint follows lie above it
 
   const std::string& name(int joint) const { return description_.joints[at(joint)].name; }
 
@@ -107,7 +107,8 @@ class Resolution {
         fmt::format("spherical joint '{}' cannot be coupled: its position is not a number", name(*joint)));
   }
 
-  // Resolves this joint and all that it follows, with an explicit stack: a chain may be deeper than the call stack.
+  // Resolves this joint and all joints that it follows. Uses an explicit stack, because a chain may be deeper than the
+  // call stack.
   void resolve_from(int first) {
     walk_ = {first};
     while (!walk_.empty()) {
@@ -127,7 +128,7 @@ class Resolution {
     }
   }
 
-  // Over independent joints, where those that the joint follows are resolved.
+  // Returns the sum over independent joints. The joints that this joint follows must be resolved.
   Sum sum_of(int joint) const {
     Sum sum;
     const auto& declared = declared_[at(joint)];
@@ -141,7 +142,7 @@ class Resolution {
     return sum;
   }
 
-  // The joint that was reached last follows one that follows it.
+  // Reports a cycle: joint `last`, reached last, follows `first`, which follows `last` directly or through others.
   void report_cycle(int last, int first) {
     std::vector<int> loop = {last};
     while (loop.back() != first) {

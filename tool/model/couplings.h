@@ -1,4 +1,4 @@
-// From couplings that refer to joints by name to couplings over independent joints.
+// Turns couplings that refer to joints by name into couplings over independent joints.
 #pragma once
 
 #include "model/description.h"
@@ -6,8 +6,8 @@
 
 namespace robcogen::model {
 
-// Resolves chains of couplings exactly. Reports joints that are not declared, joints that are coupled twice, and
-// cycles; nothing about names where `joints_repeat`. Without couplings when an error was reported.
+// Resolves chains of couplings exactly. Reports undeclared joints, joints that are coupled twice, and cycles; if
+// `joints_repeat`, undeclared joints are not reported. Returns no couplings if an error was reported.
 std::vector<Coupling> resolve_couplings(
     const Description& description,
     NameIndex& joints,

@@ -72,10 +72,10 @@ class LoopDeclaration {
     tree_.loops.push_back(std::move(loop));
   }
 
-  // The position of a joint where loops are assembled, when all of these are declared.
+  // Checks the position that the document gives a joint for assembling loops. All loops must have been declared.
   void check_assembled(const DescribedJoint& described) {
     const int joint = *tree_.find_joint(described.name);
-    if (described.type == JointType::spherical) return;  // reported: it has no such position
+    if (described.type == JointType::spherical) return;  // reported by check_drives: it has no such position
     if (tree_.coupling_of(joint) != nullptr) {
       diagnostics_
           .error(
@@ -95,7 +95,7 @@ class LoopDeclaration {
   Diagnostics& diagnostics_;
   std::map<int, Place>& independent_;
 
-  // Itself, or joints that couplings tie to it.
+  // Whether this joint, or a joint that a coupling ties to it, is part of a loop.
   bool moves_loop(int joint) const {
     const auto follows = [&](int other) {
       const Coupling* coupling = tree_.coupling_of(other);
@@ -109,7 +109,7 @@ class LoopDeclaration {
     });
   }
 
-  // One that the geometry depends on; nullptr where there is none.
+  // Returns a parameter without default value that the geometry of the loop depends on, or nullptr.
   const Parameter* parameter_without_value(const LoopJoint& loop) const {
     const Parameter* found = nullptr;
     const auto look = [&](const Quantity& q) {

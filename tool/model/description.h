@@ -27,7 +27,7 @@ struct DescribedLink {
   Place place;
   std::optional<int> id;
   Place id_place;
-  std::optional<Inertia> inertia;  // `reference` is filled by build from reference_frame
+  std::optional<Inertia> inertia;  // `build` fills `reference` from reference_frame
   Place inertia_place;
   Place mass_place;  // of the number
   std::optional<std::string> reference_frame;
@@ -37,7 +37,7 @@ struct DescribedLink {
   bool is_virtual = false;  // as in Link
 };
 
-// Where a document gives the values of a drive and the limits.
+// Where the document gives the values of a drive and the limits.
 struct DrivePlaces {
   Place damping;
   Place friction;
@@ -63,13 +63,13 @@ struct DescribedJoint {
   JointLimits limits = {};
   Drive drive = {};
   DrivePlaces drive_places = {};
-  std::optional<std::string> rotor_carrier = {};  // the joint's parent where none is named
-  Quantity pitch = {};                            // of a helical joint: m a radian
-  std::optional<double> assembled = {};           // its position where the loops that it is part of are assembled
+  std::optional<std::string> rotor_carrier = {};  // default: the parent of the joint
+  Quantity pitch = {};                            // of a helical joint: m/rad
+  std::optional<double> assembled = {};           // position in which its loops are assembled
   Place assembled_place = {};
 };
 
-// The position of a joint as a sum over other joints, which may follow others in turn.
+// The position of a joint as a sum over other joints, which may follow further joints themselves.
 struct DescribedCoupling {
   struct Term {
     std::string joint;
@@ -105,7 +105,7 @@ struct DescribedIndependent {
   Place place;
 };
 
-// As Limb, by names.
+// Like Limb, with names instead of indices.
 struct DescribedLimb {
   struct Element {
     std::string own;
@@ -127,21 +127,22 @@ struct Description {
   std::vector<DescribedJoint> joints;  // in declaration order
   std::vector<DescribedCoupling> couplings = {};
   std::vector<DescribedLoop> loops = {};
-  std::vector<DescribedIndependent> independents = {};  // none: they are chosen
+  std::vector<DescribedIndependent> independents = {};  // empty: they are chosen automatically
   std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};
-  bool may_say_assembled = false;  // the format has DescribedJoint::assembled
+  bool may_say_assembled = false;  // the format can express DescribedJoint::assembled
 };
 
-// The base is link 0, then the links as declared.
+// Link 0 is the base; the other links follow in declaration order.
 inline const DescribedLink& described_link(const Description& description, std::size_t index) {
   return index == 0 ? description.base : description.links[index - 1];
 }
 
-// Connects the elements and checks them: one parent each, no island, no cycle, names, every joint used once, reference
-// frames, couplings, ids (warnings), plausible mass properties (warnings with the numbers; a warning that names the
-// joint where the inertia matrix is singular for every q). nullopt when an error was reported.
+// Connects the elements and checks them: every link has one parent, there are no islands and no cycles, every name is
+// unique, every joint is used once, and reference frames and couplings are valid. Warns about ids, about implausible
+// mass properties (with the numbers), and about joints that make the inertia matrix singular for every q. nullopt if an
+// error was reported.
 std::optional<KinematicTree> build(const Description& description, Diagnostics& diagnostics);
 
 }  // namespace robcogen::model

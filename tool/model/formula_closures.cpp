@@ -17,23 +17,24 @@
 namespace robcogen::model {
 namespace {
 
-// A loop is stretched where the sine between the directions of its dependent joints is smaller.
+// A loop is stretched if the sine of the angle between the directions of its dependent joints is below this.
 constexpr double kStretched = 1e-4;
 constexpr double kWellDetermined = 0.1;
 
-// The number of driven joints that follow, that of joints that other loops share, whether they are determined badly,
-// and how early they stand in the document.
+// The number of dependent joints that are driven, the number of other loops that share dependent joints, whether the
+// dependent joints are badly determined, and how early they stand in the document. Lower is better.
 using Score = std::tuple<int, int, bool, int>;
 
-// A loop of the group, and the joints that may follow by a formula of it: the best first.
+// A loop of the group, and the sets of joints that a formula can make dependent, best first.
 struct Alternatives {
-  Closure closure;  // but for these joints
+  Closure closure;  // without the dependent joints
   std::optional<Parallelogram> parallelogram;
   std::vector<std::pair<Score, std::vector<int>>> dependents;
 };
 
-// Loops that share joints take them from one another. Each loop in turn takes the best joints that those before have
-// left; where a later one is left with none, or loops wait for one another, those before take their next best ones.
+// Chooses the dependent joints of loops that share joints. Each loop in turn takes the best joints that the loops
+// before it have left. If a later loop is left with none, or loops depend on one another cyclically, the loops before
+// it take their next best joints.
 class FormulaSearch {
  public:
   FormulaSearch(LoopContext& context, const std::vector<int>& loops) : context_(context), loops_(loops) {
@@ -55,17 +56,17 @@ class FormulaSearch {
  private:
   LoopContext& context_;
   const std::vector<int>& loops_;
-  std::map<int, int> loops_of_;  // by joint: how many it is part of
+  std::map<int, int> loops_of_;  // by joint: the number of loops that it is part of
   std::vector<Alternatives> alternatives_;
-  std::map<int, int> followed_;    // dependent joints, and their closures
-  std::vector<Closure> closures_;  // of the first loops
+  std::map<int, int> followed_;    // dependent joint -> index of its closure
+  std::vector<Closure> closures_;  // of the loops decided so far
   std::vector<Closure> sorted_;
   int trials_ = 0;
-  bool has_gone_back_ = false;  // to a loop, for its next best joints
+  bool has_gone_back_ = false;  // the search has backtracked
 
   const KinematicTree& tree() const { return context_.tree; }
 
-  // False where another method may close it.
+  // Returns false if another method may close the loop.
   bool add_alternatives(int index) {
     const LoopJoint& loop = tree().loops[at(index)];
     if (loop.type == LoopType::slider || loop.type == LoopType::weld) return false;
@@ -107,7 +108,8 @@ class FormulaSearch {
         .hint = context_.hint_to_free(joints_of(loop));
   }
 
-  // Where the document says where it is assembled, its links may be crossed there.
+  // Whether the loop is assembled as a parallelogram. If the document gives a position for assembly, the links may be
+  // crossed there.
   bool is_assembled_as(
       const Parallelogram& parallelogram,
       const LoopJoint& loop,
@@ -170,7 +172,8 @@ class FormulaSearch {
         joints.begin(), joints.end(), [&](int j) { return tree().joints[at(j)].type == JointType::prismatic; }));
   }
 
-  // For this loop of the group and those behind it; returns whether all of them can be solved one after another.
+  // Chooses the dependent joints of this loop of the group and of those after it. Returns whether all loops can be
+  // solved one after another.
   bool choose_from(std::size_t loop) {
     constexpr int kMaxTrials = 100'000;
     if (loop == alternatives_.size()) return (!has_gone_back_ || drives_lead()) && put_in_order();
@@ -191,8 +194,8 @@ class FormulaSearch {
     return false;
   }
 
-  // Whether no more driven joints follow than must: rather than that they follow by formulas, they lead, and iteration
-  // closes the loops.
+  // Whether no more driven joints are dependent than necessary. If more are, iteration closes the loops instead, and
+  // these joints stay independent.
   bool drives_lead() const {
     std::set<int> free;
     for (const Alternatives& loop : alternatives_)
@@ -204,7 +207,8 @@ class FormulaSearch {
     return driven_followers <= std::max<std::ptrdiff_t>(0, std::ssize(followed_) - undriven);
   }
 
-  // Every closure behind those whose joints it takes as given; returns whether there is such an order.
+  // Orders the closures so that each comes after those that determine its joints. Returns whether there is such an
+  // order.
   bool put_in_order() {
     sorted_.clear();
     std::vector<bool> done(closures_.size());
@@ -229,13 +233,14 @@ class FormulaSearch {
   }
 };
 
-// The angle from -PI to PI.
+// Wraps an angle to [-PI, PI].
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::acos(-1.0));
 }
 
-// Moves the joints that follow to where the loop closes with the other sign of the root, as near as it can be to where
-// it closes now: two joints, or one, from starts all around. Returns whether there is such a posture.
+// Moves the dependent joints to a position in which the loop closes with the other sign of the root, as near as
+// possible to the present position. Searches from starts all around, in one or two dependent joints. Returns whether
+// there is such a position.
 bool assemble_other_way(LoopContext& context, Closure& closure, std::vector<double>& q) {
   const KinematicTree& tree = context.tree;
   const LoopJoint& loop = tree.loops[at(closure.loop())];

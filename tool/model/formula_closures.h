@@ -1,4 +1,4 @@
-// Loops that formulas close: each in a plane, or a distance, one after another.
+// Loops that closed-form formulas close one after another: planar loops, and distances.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace robcogen::model {
 
-// Closures of these loops, in an order in which they can be solved; nullopt where no formulas close all of them, or
-// where they close only together. Reports what no other method closes either, and then returns no closures.
+// Returns the closures of these loops in an order in which they can be solved; nullopt if no formulas close all of
+// them, or if they close only together. Reports loops that no other method closes either; the result is then empty.
 std::optional<std::vector<Closure>> formula_closures(LoopContext& context, const std::vector<int>& loops);
 
-// Moves the joints that follow in `q`, by joint, to where the loop closes, and sets its branch. Reports where it does
-// not close, or is stretched.
+// Moves the dependent joints in `q` (by joint) to where the loop closes, and sets the branch of the closure. Reports a
+// loop that does not close there, or that is stretched.
 void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<double>& q);
 
 }  // namespace robcogen::model

@@ -1,4 +1,4 @@
-// Mass properties, moved from a user frame to the link frame.
+// Transforms mass properties from a user frame to the link frame.
 #include "model/kinematic_tree.h"
 
 namespace robcogen::model {
@@ -49,12 +49,12 @@ RigidBodyInertia in_link_frame(const Inertia& inertia) {
 
   const Matrix R = rotation_matrix(*inertia.reference);
   const Vector& t = inertia.reference->translation;
-  const Vector c = R * inertia.com;  // centre of mass from the reference origin, in link axes
+  const Vector c = R * inertia.com;  // centre of mass relative to the reference origin, in link axes
   body.first_moment = scaled(inertia.mass, {t[0] + c[0], t[1] + c[1], t[2] + c[2]});
 
   // The parallel-axis theorem from the reference origin straight to the link origin:
   //   I_link = R I R' + m ((2 t.c + t.t) 1 - (t c' + c t' + t t')).
-  // The way through the centre of mass is equivalent, but subtracts m |c|^2 and adds it again.
+  // Going through the centre of mass is equivalent, but subtracts m |c|^2 and adds it again.
   const Matrix I = tensor(inertia);
   const Matrix rows = {I * R[0], I * R[1], I * R[2]};  // row i: I R' e_i, as I is symmetric
   const Quantity two(Number::rational(2));

@@ -1,7 +1,7 @@
-// Finds motions without inertia: the joint-space inertia matrix H is singular in every position.
+// Finds motions without inertia, for which the joint-space inertia matrix H is singular in every position.
 //
-// H is singular where a pivot (inertia_pivots.h) is zero; and as its determinant is analytic in q, it is singular
-// everywhere if it is at a position without special angles.
+// H is singular if a pivot (inertia_pivots.h) is zero. As the determinant of H is analytic in q, H is singular
+// everywhere if it is singular at a position without special angles.
 //
 // A computed zero is zero only up to rounding, and the scale of rounding depends on the units and sizes of the robot.
 // Therefore a small inertia is added to every articulated inertia, in proportion to it: a pivot that doubles when this
@@ -21,11 +21,11 @@ namespace {
 // Large compared with the rounding of one recursion step, small compared with any real inertia of a robot.
 constexpr double kAddition = 1e-12;
 
-// Of the pivots with the addition and with twice the addition.
+// Tells which pivots are zero, from the pivots with the addition and with twice the addition.
 std::vector<bool> zeros(const std::vector<double>& once, const std::vector<double>& twice) {
   std::vector<bool> result(once.size());
   for (std::size_t i = 0; i < once.size(); ++i) {
-    // A half for a zero, close to 0 for an inertia; false after an overflow.
+    // The ratio is 1/2 for a zero and close to 0 for an inertia; the comparison is false after an overflow.
     result[i] = twice[i] - once[i] >= 0.4 * std::abs(twice[i]);
   }
   return result;
@@ -36,7 +36,7 @@ struct Zeros {
   std::vector<bool> base;
 };
 
-// No programs are made of larger robots, whose joints are taken as free here.
+// No programs are generated for larger robots; here, their joints are treated as if they were not coupled.
 constexpr std::size_t kMaxCoupled = 2000;
 
 bool is_matrix_needed(const KinematicTree& tree) {
@@ -47,7 +47,7 @@ Zeros zero_pivots(const KinematicTree& tree, Beyond beyond) {
   Pivots once = pivots_of(tree, beyond, kAddition);
   Pivots twice = pivots_of(tree, beyond, 2.0 * kAddition);
   if (is_matrix_needed(tree)) {
-    // A base on locked joints is the same, coupled or not.
+    // With locked joints, couplings make no difference to the base.
     for (auto [pivots, factor] : {std::pair(&once, 1.0), std::pair(&twice, 2.0)}) {
       Pivots coupled = pivots_of_coordinates(tree, beyond, factor * kAddition);
       if (beyond == Beyond::locked) coupled.base = pivots->base;
@@ -104,7 +104,7 @@ InertiaDefects inertia_defects(const KinematicTree& tree) {
   for (std::size_t k = 0; k < free.joints.size(); ++k) {
     if (!free.joints[k]) continue;
     const int joint = is_matrix_needed(tree) ? coordinates[k] : static_cast<int>(k);
-    // One of several components stands for all.
+    // A spherical joint is listed once, by one of its components.
     const std::string& name = tree.joints[at(joint)].declared_name();
     const auto same = std::find_if(defects.joints.begin(), defects.joints.end(), [&](const auto& known) {
       return tree.joints[at(known.joint)].declared_name() == name;

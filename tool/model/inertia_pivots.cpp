@@ -30,13 +30,13 @@ Matrix6 spatial_inertia(const Inertia& inertia, const std::vector<double>& param
   }};
 }
 
-// child_X_parent of spatial motion vectors.
+// child_X_parent for spatial motion vectors.
 Matrix6 motion_transform(const Joint& joint, double q, const std::vector<double>& parameters) {
   std::array<double, 3> p{}, sine{}, cosine{};
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = evaluate(joint.placement.translation[i], parameters);
-    // Turning about z is the last rotation of the placement and that of a joint. A spherical joint turns with its first
-    // component, in any way that is not special.
+    // The last rotation of the placement and the rotation of a joint are both about z, so their angles add up. A
+    // spherical joint turns with its first component, about any axis that is not special.
     const bool is_turn = joint.spherical.empty() ? i == 2 && turns(joint.type) : joint.is_first();
     const double own = is_turn ? q : 0.0;
     const double angle = evaluate(joint.placement.rotation[i], parameters) + own;
@@ -103,8 +103,8 @@ Vector6 unit(std::size_t direction) {
   return v;
 }
 
-// Makes one direction free: leaves the inertia that the others meet. Without any inertia, leaves all as it is. `own` is
-// inertia that motion in this direction alone meets. Returns the pivot.
+// Makes one direction free: `a` becomes the inertia that the other directions meet, and is unchanged if the pivot is
+// zero. `own` is inertia that only motion in this direction meets. Returns the pivot.
 double eliminate(Matrix6& a, const Vector6& direction, double own = 0.0) {
   const Vector6 column = a * direction;
   const double pivot = dot(column, direction) + own;
@@ -115,22 +115,22 @@ double eliminate(Matrix6& a, const Vector6& direction, double own = 0.0) {
   return pivot;
 }
 
-// That the joint alone meets. How a rotor couples with its carrier does not matter here: the carrier's own inertia
-// about the rotor's axis, which includes the rotor, outweighs that.
+// The drive's inertia about the joint axis. The coupling between a rotor and its carrier does not matter here: the
+// carrier's own inertia about the rotor's axis, which includes the rotor, outweighs it.
 double drive_inertia(const Drive& drive, const std::vector<double>& parameters) {
   const double armature = evaluate(drive.armature, parameters);
   return drive.rotor ? armature + evaluate(drive.rotor->inertia * drive.rotor->ratio * drive.rotor->ratio, parameters)
                      : armature;
 }
 
-// The motion subspace.
+// The motion subspace, in child coordinates.
 Vector6 direction_of(const Joint& joint, const std::vector<double>& parameters) {
   Vector6 S = {0.0, 0.0, 0.0, 0.0, 0.0, evaluate(slide_of(joint), parameters)};
   if (turns(joint.type)) S[at(joint.axis)] = 1.0;
   return S;
 }
 
-// H with rows of all joints, then of the base; composite bodies with the addition (Featherstone 2008, section 6.2).
+// H of all joints, followed by the base, from composite bodies with the addition (Featherstone 2008, section 6.2).
 std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, double addition) {
   OrdinaryNumbers numbers;
   const std::vector<double> parameters = numbers.next(tree.parameters.size());
@@ -166,8 +166,8 @@ std::vector<std::vector<double>> inertia_of_joints(const KinematicTree& tree, do
   return H;
 }
 
-// The same rows of G for joints that follow through loops: those of any position, closed or not, have no special
-// values.
+// Adds the rows of G of joints that follow through loops. Any position serves, closed or not: at none of them do the
+// rates have special values.
 void add_rates_of_loops(
     const KinematicTree& tree,
     const std::vector<double>& parameters,
@@ -194,12 +194,12 @@ void add_rates_of_loops(
   }
 }
 
-// The same of coordinates, G' H G, then of the base.
+// The inertia matrix of the independent coordinates, G' H G, followed by the base.
 std::vector<std::vector<double>> inertia_of_coordinates(const KinematicTree& tree, double addition) {
   const std::vector<std::vector<double>> H = inertia_of_joints(tree, addition);
   const std::vector<double> parameters = OrdinaryNumbers().next(tree.parameters.size());
   const std::vector<int> independent = tree.coordinates();
-  // By row of H: its coordinates and factors.
+  // By row of H: pairs of coordinate and factor.
   std::vector<std::vector<std::pair<std::size_t, double>>> G(H.size());
   for (std::size_t k = 0; k < independent.size(); ++k) G[at(independent[k])] = {{k, 1.0}};
   for (const Coupling& coupling : tree.couplings) {

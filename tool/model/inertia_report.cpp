@@ -44,7 +44,7 @@ std::string reason_of_base(const KinematicTree& tree) {
       "floating base '{}' meets no inertia in some direction while the joints are free", tree.links[0].name);
 }
 
-// `joints 'a', 'b' and the floating base 'trunk' meet`
+// Returns the subject and verb of a message, as in `joints 'a', 'b' and floating base 'trunk' meet`.
 std::string subject(const KinematicTree& tree) {
   const InertiaDefects& defects = tree.inertia_defects;
   std::vector<std::string> names;

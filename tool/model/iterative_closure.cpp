@@ -22,7 +22,8 @@ class IterativeSearch {
     Closure closure;
     closure.loops = loops_;
     closure.method = Closure::Method::iterative;
-    // As drawn, which need not be closed to the digit; then where they are closed.
+    // Choose the dependent joints at the position as drawn, where the loops may not be closed exactly; then again where
+    // they are closed.
     closure.dependents = cluster_.following(q_, candidates);
     double gap = cluster_.close(q_, closure.dependents);
     const int rank = cluster_.rank(q_);
@@ -70,7 +71,7 @@ class IterativeSearch {
     return std::nullopt;
   }
 
-  // Why a loop that may be meant to move in a plane does not; or empty.
+  // Returns why a loop that may be meant to be planar is not planar; empty if this does not apply.
   std::string reason_in_space() const {
     if (!is_one() || (first().type != LoopType::hinge && first().type != LoopType::point)) return "";
     Closure unused;
@@ -99,7 +100,7 @@ class IterativeSearch {
         context_.hint_to_close(cluster_.joints()));
   }
 
-  // Without drives before those with, of these the last ones of the document.
+  // Joints without drives come first; within each kind, those declared last come first.
   std::vector<int> in_order_of_preference() const {
     std::vector<int> candidates = cluster_.joints();
     std::erase_if(candidates, [&](int joint) { return !context_.is_free(joint); });
@@ -110,7 +111,7 @@ class IterativeSearch {
     return candidates;
   }
 
-  // Whether loops stay closed, with this rank, where joints that lead move a little.
+  // Whether the loops stay closed, with the same rank, when the independent joints move a little.
   bool moves(const std::vector<int>& following, int rank) {
     constexpr int kDirections = 5, kHalvings = 4;
     std::minstd_rand engine(1);

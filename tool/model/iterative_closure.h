@@ -1,4 +1,4 @@
-// Loops that no formulas close: together, by Newton's method.
+// Loops that no formulas close. Newton's method closes them together.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace robcogen::model {
 
-// A closure of these loops. Moves the joints that follow in `q`, by joint, to where they close. Reports loops that do
-// not close, that take away more motions than there are joints to follow, and ranks that differ nearby; then nullopt.
+// Returns a closure of these loops, and moves the dependent joints in `q` (by joint) to where they close. Reports loops
+// that do not close, that remove more motions than there are joints that can follow, or whose rank differs nearby; the
+// result is then nullopt.
 std::optional<Closure> iterative_closure(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q);
 
 }  // namespace robcogen::model

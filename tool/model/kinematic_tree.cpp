@@ -12,7 +12,7 @@ Frame link_frame(const KinematicTree& tree, int link) {
   return {Frame::Kind::link, link, implicit_frame_name(tree.links[at(link)].name)};
 }
 
-// That of this joint, or of the first one after it.
+// Returns the coupling of this joint, or of the first coupled joint after it.
 std::vector<Coupling>::const_iterator first_coupling(const std::vector<Coupling>& couplings, int joint) {
   return std::lower_bound(
       couplings.begin(), couplings.end(), joint, [](const Coupling& c, int index) { return c.joint < index; });
@@ -65,7 +65,7 @@ std::vector<double> KinematicTree::assembled_positions(std::span<const double> p
 std::vector<int> KinematicTree::topological() const {
   std::vector<int> order;
   order.reserve(joints.size());
-  // An explicit stack: a chain may be deeper than the call stack.
+  // Uses an explicit stack, because a chain may be deeper than the call stack.
   std::vector<int> pending(links[0].child_joints.rbegin(), links[0].child_joints.rend());
   while (!pending.empty()) {
     const int joint = pending.back();
@@ -235,7 +235,7 @@ Placement KinematicTree::placement_of(const Frame& frame) const {
 
 namespace {
 
-// Whether the link has a user frame of its own name.
+// Whether this is a user frame with the name of its link.
 bool is_named_after_its_link(const KinematicTree& tree, const Frame& frame) {
   return frame.kind == Frame::Kind::user && frame.name == tree.links[at(tree.link_of(frame))].name;
 }

@@ -17,17 +17,18 @@
 
 namespace robcogen::model {
 
-// Of one coordinate: a turn about the z axis of the joint frame (rad), a slide along it (m), or a screw motion: a turn
-// (rad) that slides in proportion.
-// A spherical joint has three joints here, its components: the angular velocity of the child relative to the parent
-// about the child's x, y and z axis (rad/s). Their positions are the last elements of one unit quaternion.
+// The motion of one coordinate: a rotation about the z axis of the joint frame (rad), a translation along it (m), or a
+// screw motion: a rotation (rad) with a proportional translation.
+// A spherical joint is represented by three joints, its components: the angular velocity of the child relative to the
+// parent about the child's x, y and z axes (rad/s). The positions of these three are the last elements of one unit
+// quaternion.
 enum class JointType { revolute, prismatic, helical, spherical };
 
-// Whether the coordinate is an angle; else it is a length.
+// Whether the coordinate is an angle rather than a length.
 bool turns(JointType type);
 
-// Mass properties as a document gives them: about the origin and in the axes of the link frame, or of `reference`
-// (the pose of a user frame in the link frame). Products of inertia have positive sign: ixy = integral of x y dm.
+// Mass properties as a document gives them: about the origin and in the axes of the link frame, or of `reference` (the
+// pose of a user frame in the link frame). Products of inertia have positive sign: ixy = integral of x y dm.
 struct Inertia {
   Quantity mass;                // kg
   std::array<Quantity, 3> com;  // m
@@ -40,17 +41,17 @@ struct Inertia {
 struct RigidBodyInertia {
   Quantity mass;
   std::array<Quantity, 3> first_moment;   // mass * centre of mass
-  Quantity ixx, iyy, izz, ixy, ixz, iyz;  // moments, and products of positive sign
+  Quantity ixx, iyy, izz, ixy, ixz, iyz;  // moments, and products with positive sign
 };
 
-// Moves the properties from `reference` to the link frame: constants are folded exactly.
+// Transforms the properties from `reference` to the link frame. Constants are folded exactly.
 RigidBodyInertia in_link_frame(const Inertia& inertia);
 
-// The sum of the parts, each with a `reference`: about the origin and in the axes of the frame that the references are
-// in. nullopt for no parts.
+// Returns the sum of the parts, each of which has a `reference`: about the origin and in the axes of the frame in which
+// the references are given. nullopt if there are no parts.
 std::optional<Inertia> sum_of(const std::vector<Inertia>& parts);
 
-// parent_R_frame, row by row: maps coordinates in the placed frame to coordinates in its parent. Exact for multiples of
+// parent_R_frame by rows: maps coordinates in the placed frame to coordinates in its parent. Exact for multiples of
 // PI/2.
 std::array<std::array<Quantity, 3>, 3> rotation_matrix(const Placement& placement);
 
@@ -60,8 +61,9 @@ struct Link {
   int parent_joint = -1;           // index of the joint that supports it; -1 for the base
   std::vector<int> child_joints;   // indices, in the order of the document's `children`
   Place place;
-  bool is_virtual = false;  // between the joints of a joint with several coordinates: no body
-  // The frame of the link of this name again, massless: between two components of the spherical joint that carries it.
+  bool is_virtual = false;  // not a body: between the coordinates of a joint, or between the joints of a body
+  // A massless copy of the frame of the link of this name, between two components of the spherical joint that carries
+  // that link.
   bool is_repeated = false;
 };
 
@@ -74,40 +76,42 @@ struct Joint {
   Place place;
   JointLimits limits = {};  // infinite when the document has none
   Drive drive = {};
-  Quantity pitch = {};  // of a helical joint: m a radian
-  // Its position (rad, m) where the loops that it is part of are assembled: near there, where it follows; else at zero.
+  Quantity pitch = {};  // of a helical joint: m/rad
+  // The position (rad, m) in which the loops that the joint is part of are assembled; approximate if the joint is
+  // dependent. Zero if absent.
   std::optional<double> assembled = {};
-  // Of a component of a spherical joint: the name of that joint, and the axis of the child, 0, 1 or 2. The first one
-  // has the placement, the others stay where it is; all three have the same drive and limits.
+  // For a component of a spherical joint: the name of that joint, and the index of the component's axis in the child,
+  // 0, 1 or 2. The first component has the placement; the other two have the identity. All three have the same drive
+  // and limits.
   std::string spherical = {};
   int axis = 2;
 
-  // As the document has it.
+  // The name in the document.
   const std::string& declared_name() const { return spherical.empty() ? name : spherical; }
   double assembled_position() const { return assembled.value_or(0.0); }
-  // False for components that only follow the first one of their joint.
+  // False for the second and third component of a spherical joint.
   bool is_first() const { return spherical.empty() || axis == 0; }
 };
 
-// How far the child slides along z per unit of the coordinate: 0, 1, or the pitch.
+// Returns the translation of the child along z per unit of the coordinate: 0, 1, or the pitch.
 Quantity slide_of(const Joint& joint);
 
-// Of the joint's rotor: of unit length, in axes of its carrier.
+// Returns the axis of the joint's rotor: a unit vector in axes of its carrier.
 std::array<Quantity, 3> rotor_axis(const Joint& joint);
 
-// A joint that follows others: q_joint = offset + sum of factor * q_k, over independent joints k. Through a loop it
-// follows in another way: then the terms only tell which joints it follows, and the offset is its position where loops
-// are assembled.
+// A joint that follows others: q_joint = offset + sum of factor * q_k over independent joints k. A joint that follows
+// through a loop does so differently: its terms only tell which joints it follows, and its offset is its position where
+// the loops are assembled.
 struct Coupling {
   struct Term {
     int joint = -1;   // independent
-    Quantity factor;  // not the constant zero; of a loop, no number
+    Quantity factor;  // not the constant zero; meaningless for a loop
   };
   int joint = -1;
-  std::vector<Term> terms;  // none: the joint stands still
+  std::vector<Term> terms;  // empty: the joint does not move
   Quantity offset;          // rad or m
-  int closure = -1;         // of KinematicTree::closures, or none
-  int loop = -1;            // of KinematicTree::loops: the parallelogram that it keeps closed, or none
+  int closure = -1;         // index in KinematicTree::closures, or -1
+  int loop = -1;            // index in KinematicTree::loops of the parallelogram that it keeps closed, or -1
 
   bool is_linear() const { return closure < 0; }
 };
@@ -120,27 +124,27 @@ struct UserFrame {
   Place place;
 };
 
-// An instance of a part in the document: a leg that is described once and attached four times.
+// An instance of a part in the document, such as a leg that is described once and attached four times.
 struct Limb {
-  // With its name in the part.
+  // An element and its name in the part.
   struct Element {
     std::string own;
     int index = -1;  // of the link, joint or user frame
   };
-  std::string name;  // with which the names of its elements begin
+  std::string name;  // the prefix of the names of its elements
   std::string part;
   int first_link = -1;
   std::vector<Element> links, joints, frames;
 };
 
-// A linear actuator between the origins of two frames. Its force is positive where it pushes them apart.
+// A linear actuator between the origins of two frames. A positive force pushes them apart.
 struct Actuator {
   std::string name;
   std::array<std::string, 2> frames;
   Place place;
 };
 
-// Which frame a name denotes. `fr_<link>` (base too) and `fr_<joint>` exist implicitly.
+// The frame that a name denotes. `fr_<link>` (including the base) and `fr_<joint>` exist implicitly.
 struct Frame {
   enum class Kind { link, joint, user };
   Kind kind = Kind::link;
@@ -148,12 +152,13 @@ struct Frame {
   std::string name;
 };
 
-// The name of the implicit frame of the link or joint of this name.
+// Returns the name of the implicit frame of the link or joint of this name.
 std::string implicit_frame_name(const std::string& element);
 
-// Mass properties that make functions of the dynamics undefined in every position (inertia_defects in plausibility.h).
+// Mass properties that make functions of the dynamics undefined in every position (see inertia_defects in
+// plausibility.h).
 struct InertiaDefects {
-  // A joint that meets no inertia while the joints beyond it are free; `locked`: nor while they are locked.
+  // A joint that meets no inertia while the joints beyond it are free; if `locked`, not even while they are locked.
   struct FreeJoint {
     int joint = -1;
     bool locked = false;
@@ -164,7 +169,7 @@ struct InertiaDefects {
   bool free_base = false;    // the floating base meets no inertia in some direction while the joints are free
   bool locked_base = false;  // the same while the joints are locked: the robot as one body
 
-  // Of the joint-space inertia matrix.
+  // Whether the joint-space inertia matrix is singular.
   bool is_singular() const { return free_base || !joints.empty(); }
 };
 
@@ -174,53 +179,54 @@ class KinematicTree {
   bool floating_base = false;
   bool uses_passive_forces = true;       // damping, friction and springs are part of inverse and forward dynamics
   std::vector<Link> links;               // [0] is the base, then the links as declared
-  std::vector<Joint> joints;             // as declared; q, qd, tau, … have the independent ones, in this order
-  std::vector<Coupling> couplings = {};  // of the other joints, in their order
+  std::vector<Joint> joints;             // as declared; q, qd, tau, … contain the independent ones, in this order
+  std::vector<Coupling> couplings = {};  // of the dependent joints, in the order of `joints`
   std::vector<LoopJoint> loops = {};
-  std::vector<Closure> closures = {};        // an order in which they can be solved
-  std::vector<Closure> parallelograms = {};  // loops that linear couplings keep closed; before closures
+  std::vector<Closure> closures = {};        // in an order in which they can be solved
+  std::vector<Closure> parallelograms = {};  // loops that linear couplings keep closed; solved before `closures`
   std::vector<Actuator> actuators = {};
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;
   std::vector<Limb> limbs = {};  // in the order of the document
   InertiaDefects inertia_defects = {};
 
-  // Independent coordinates: what qd, tau, … have elements of.
+  // The number of independent coordinates: the length of qd, tau, …
   int dof() const { return static_cast<int>(joints.size() - couplings.size()); }
-  // Itself, or of a component of a spherical joint the first one.
+  // Returns the first component if the joint is a component of a spherical joint, otherwise the joint itself.
   int first_component_of(int joint) const;
-  // First components of spherical joints.
+  // The first components of the spherical joints.
   std::vector<int> spherical_joints() const;
-  // Joints that follow through loops that no formulas close: their positions are elements of q.
+  // The joints that follow through loops which no formulas close. Their positions are elements of q.
   std::vector<int> followers_in_q() const;
-  // Elements of q: coordinates, but four of a spherical joint: w, x, y, z of the unit quaternion that rotates
-  // coordinates of the child to those of the joint frame. Behind them followers_in_q().
+  // The number of elements of q: one per coordinate, but four per spherical joint: w, x, y, z of the unit quaternion
+  // that rotates coordinates in the child frame to coordinates in the joint frame. followers_in_q() come last.
   int position_count() const { return dof() + static_cast<int>(spherical_joints().size() + followers_in_q().size()); }
-  // By joint: its element of q; -1 for other coupled joints. The scalar part of a quaternion is in front of its first
-  // component.
+  // By joint: the index of its element of q; -1 for coupled joints that have none. The scalar part of a quaternion is
+  // in front of the first component.
   std::vector<int> position_elements() const;
-  // The links of the document: those whose frame is not repeated.
+  // The number of links in the document: those that are not repeated.
   int link_count() const;
   // The independent joints: coordinate k is the velocity of joint coordinates()[k].
   std::vector<int> coordinates() const;
-  // The coordinate that an independent joint is the velocity of.
+  // The index of the coordinate that is the velocity of this independent joint.
   int coordinate_of(int joint) const;
-  // Whether a joint has anything of a drive; whether one has a rotor.
+  // Whether any joint has a drive; whether any joint has a rotor.
   bool has_drives() const;
   bool has_rotors() const;
-  // Whether a joint is helical.
+  // Whether any joint is helical.
   bool has_pitches() const;
-  // Whether a joint follows others by a sum; whether one does through a loop in a proportion that changes.
+  // Whether any joint follows others by a linear sum; whether any joint follows through a loop in a ratio that depends
+  // on the position.
   bool has_linear_couplings() const;
   bool has_closures() const { return !closures.empty(); }
-  // nullptr for an independent joint.
+  // Returns nullptr for an independent joint.
   const Coupling* coupling_of(int joint) const;
-  // By joint: where loops are assembled. Coupled joints follow by their sums; those that follow through closures are
-  // where these put them. `parameter_values` are those of `parameters`.
+  // Returns, by joint, the position (rad, m) in which loops are assembled. Coupled joints follow by their sums;
+  // dependent joints of closures are where the closures put them. `parameter_values` are the values of `parameters`.
   std::vector<double> assembled_positions(std::span<const double> parameter_values) const;
-  // Joint indices, parents before children, depth first, children in the order of the document.
+  // Joint indices, depth first: parents before children, and children in the order of the document.
   std::vector<int> topological() const;
-  // -1 for the parent of the base.
+  // Returns -1 for a joint on the base.
   int parent_joint_of(int joint) const {
     return links[static_cast<std::size_t>(joints[static_cast<std::size_t>(joint)].parent)].parent_joint;
   }
@@ -228,23 +234,24 @@ class KinematicTree {
   std::vector<Frame> frames() const;
   std::optional<Frame> find_frame(const std::string& name) const;
   std::optional<int> find_link(const std::string& name) const;
-  // By the declared name; of a spherical joint the first component.
+  // Finds a joint by its declared name; for a spherical joint, returns the first component.
   std::optional<int> find_joint(const std::string& name) const;
-  // The link that a frame moves with: a joint frame is fixed to the parent link of its joint.
+  // The link that a frame is fixed to. A joint frame is fixed to the parent link of its joint.
   int link_of(const Frame& frame) const;
-  // In that link's frame.
+  // The pose of the frame in the frame of link_of(frame).
   Placement placement_of(const Frame& frame) const;
 };
 
-// All joints: those of coordinates, then coupled ones.
+// All joints: first the independent ones, then the coupled ones.
 std::vector<int> independent_joints_first(const KinematicTree& tree);
-// The same without the components that only follow the first one of their joint: the joints of the document.
+// The same without the second and third components of spherical joints: the joints of the document.
 std::vector<int> declared_joints_first(const KinematicTree& tree);
 
-// Of the elements of q: those of joints, and `<joint>_w` of quaternions.
+// The names of the elements of q: the names of the joints, and `<joint>_w` for the scalar parts of quaternions.
 std::vector<std::string> position_names(const KinematicTree& tree);
 
-// The suffixes of the names of a spherical joint's positions, scalar first; of its velocities the last three.
+// The suffixes of the names of a spherical joint's positions, scalar first; the last three are also the suffixes of its
+// velocities.
 inline constexpr std::array<const char*, 4> kQuaternionSuffixes = {"_w", "_x", "_y", "_z"};
 
 struct FramePair {
@@ -255,21 +262,23 @@ struct FramePair {
   }
 };
 
-// A frame that touches what does not move, by a point at its origin or by a surface, which does not let it turn either.
+// A frame in contact with the fixed environment: a point contact at its origin, or a surface contact, which also
+// prevents rotation.
 struct ContactFrame {
   Frame frame;
   bool is_surface = false;
 };
 
-// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, and functions of contacts.
+// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, and contact functions.
 struct DesiredTransforms {
   std::vector<FramePair> transforms;
   std::vector<FramePair> jacobians;
   std::vector<ContactFrame> contacts = {};
 };
 
-// Every link frame and user frame to and from the base frame; a Jacobian, from the base, for every user frame and
-// every leaf link. Where a link has a user frame of its own name, that one stands for the link.
+// The default: transforms of every link frame and user frame to and from the base frame, and Jacobians of every user
+// frame and every leaf link relative to the base. If a link has a user frame of its own name, that frame stands for the
+// link.
 DesiredTransforms default_desired(const KinematicTree& tree);
 
 }  // namespace robcogen::model

@@ -46,7 +46,7 @@ std::vector<int> limb_joints(const KinematicTree& tree, const std::vector<int>& 
 
 namespace {
 
-// By joint: what ties it to others. A joint that is tied to another limb is like no other.
+// By joint: numbers that encode its ties to other joints. A joint that is tied to another limb has a unique number.
 using Ties = std::vector<std::vector<int>>;
 
 void tie_to_nothing_else(Ties& ties, int joint) {
@@ -73,7 +73,7 @@ std::vector<int> shapes_with(const KinematicTree& tree, const Ties& ties, const 
   return shape;
 }
 
-// The last joint that carries all of these, or is one of them; -1: the base alone does.
+// Returns the last joint that carries all of these joints, or is one of them; -1 if only the base carries all of them.
 int common_joint(const KinematicTree& tree, const std::vector<int>& joints) {
   for (int root = joints.front(); root >= 0; root = tree.parent_joint_of(root)) {
     const auto carries = [&](int joint) {
@@ -85,7 +85,8 @@ int common_joint(const KinematicTree& tree, const std::vector<int>& joints) {
   return -1;
 }
 
-// Numbers that fold, by themselves: whole factors, offsets of multiples of PI; all others alike.
+// Returns the absolute value of a number that the generator can fold (an integer, or a multiple of PI), one marker for
+// all other constants, and another for parameters.
 double folding_part(const Quantity& q) {
   constexpr double kOther = 0.5;
   if (!q.is_constant()) return -kOther;
@@ -93,10 +94,11 @@ double folding_part(const Quantity& q) {
   return q.number().is_pi_multiple() || size == std::round(size) ? size : kOther;
 }
 
-// A coupling within a limb: the shape of the limb without it, which of its joints follows, and the others.
+// A coupling within a limb, described independently of the limb: the shape of the limb without the coupling, which of
+// its joints follows, and which joints that follows.
 struct Role {
   int shape = 0;
-  std::vector<int> places;      // of the follower, then of those that it follows, in the list of the limb's joints
+  std::vector<int> places;      // indices in the limb's joints: the follower, then the joints that it follows
   std::vector<double> numbers;  // offset, factors
   friend auto operator<=>(const Role&, const Role&) = default;
 };
@@ -116,8 +118,8 @@ Role role_of(const KinematicTree& tree, const Coupling& coupling, const std::vec
   return role;
 }
 
-// Couplings within limbs are alike where they tie corresponding joints; one between limbs makes its joints unlike all
-// others, as a loop does.
+// Couplings within limbs are equal if they tie corresponding joints in the same way. A coupling between limbs makes the
+// shapes of its joints unique, as a loop does.
 void tie_coupled_joints(const KinematicTree& tree, const std::vector<std::size_t>& distance, Ties& ties) {
   std::vector<int> roots;
   for (const Coupling& coupling : tree.couplings) {
@@ -147,8 +149,8 @@ void tie_coupled_joints(const KinematicTree& tree, const std::vector<std::size_t
 
 std::vector<int> limb_shapes(const KinematicTree& tree) {
   Ties ties(tree.joints.size());
-  // A rotor beyond its joint stays within a limb; one on another branch ties the two.
-  std::vector<std::size_t> distance(tree.joints.size());  // of rotors from their joints
+  // A rotor beyond its joint stays within the limb; a rotor on another branch ties the two branches.
+  std::vector<std::size_t> distance(tree.joints.size());  // by joint: number of joints between it and its rotor
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     const std::vector<int> joints = joints_of_rotor(tree, j);
     distance[j] = joints.size();
@@ -172,7 +174,7 @@ std::vector<LimbClass> limb_classes(const KinematicTree& tree) {
   std::vector<int> links = {0};
   for (std::size_t i = 0; i < links.size(); ++i) {
     const std::vector<int>& children = tree.links[at(links[i])].child_joints;
-    std::map<int, int> count, place;  // by shape: of limbs; among the classes
+    std::map<int, int> count, place;  // by shape: number of limbs; index of the class
     for (int joint : children) ++count[shape[at(joint)]];
     for (int joint : children) {
       if (count[shape[at(joint)]] == 1) {

@@ -10,14 +10,14 @@ namespace robcogen::model {
 
 namespace {
 
-// `4, 7 to 9, ...`: the numbers missing between the first and the last key.
+// Returns the numbers missing between the first and the last key, as in `4, 7 to 9, ...`
 std::string gaps_between(const std::map<int, Place>& ids) {
   constexpr int kShown = 5;
   std::string text;
   int shown = 0;
   for (auto it = ids.begin(); it != ids.end(); ++it) {
     const auto next = std::next(it);
-    // Without overflow at the ends of the range: the keys ascend.
+    // This does not overflow at the ends of the range, because the keys ascend.
     if (next == ids.end() || it->first + 1 == next->first) continue;
     if (!text.empty()) text += ", ";
     if (shown++ == kShown) return text + "...";
@@ -27,7 +27,7 @@ std::string gaps_between(const std::map<int, Place>& ids) {
   return text;
 }
 
-// The first RobCoGen walks through the links by id, and assumes that parents come first.
+// The first RobCoGen traverses the links by id and assumes that parents come first.
 void check_parents_first(const Description& description, Diagnostics& diagnostics) {
   std::map<std::string, const DescribedLink*> links;
   for (const DescribedLink& link : description.links) links.insert({link.name, &link});
@@ -50,7 +50,7 @@ void check_parents_first(const Description& description, Diagnostics& diagnostic
 }  // namespace
 
 void check_link_ids(const Description& description, Diagnostics& diagnostics) {
-  // Links are numbered from 0 or 1, or from 2 where the base counts as 1.
+  // Links are numbered from 0 or 1, or from 2 if the base counts as 1.
   constexpr int kMaxFirstId = 2;
   std::map<int, Place> ids;
   for (const DescribedLink& link : description.links) {

@@ -24,10 +24,11 @@ double length_of(const Column& a) {
   return std::sqrt(inner_product(a, a));
 }
 
-// Columns made orthogonal one after another (modified Gram-Schmidt: Golub and Van Loan 2013, sec. 5.2.8).
+// An orthonormal basis of columns, built by modified Gram-Schmidt (Golub and Van Loan 2013, sec. 5.2.8).
 class Basis {
  public:
-  // Adds what is left of the column unless that is a smaller part of it, and returns whether it does.
+  // Adds the part of the column that is orthogonal to the basis, unless it is smaller than this fraction of the column.
+  // Returns whether it was added.
   bool add(const Column& column, double least_part) {
     const double before = length_of(column);
     Column left = column;
@@ -45,7 +46,7 @@ class Basis {
     return true;
   }
 
-  // x with columns x nearest to b.
+  // Returns the least-squares solution x of columns * x = b.
   Column solve(Column b) const {
     Column x(units_.size());
     for (std::size_t k = 0; k < units_.size(); ++k) {
@@ -61,17 +62,18 @@ class Basis {
 
  private:
   std::vector<Column> units_;
-  std::vector<Column> factors_;  // R by columns
+  std::vector<Column> factors_;  // the columns of R
 };
 
-// Motions of the joints that differ by less are the same.
+// Joint motions that differ by less than this fraction are the same.
 constexpr double kSameMotion = 1e-6;
 
 void append(Column& rows, const Numbers3& v, double factor = 1.0) {
   for (const double x : v) rows.push_back(factor * x);
 }
 
-// Half the sum of the cross products of the axes: the sine of the angle between both frames, about its axis.
+// Half the sum of the cross products of the axes: the sine of the angle between the two frames, times the rotation
+// axis.
 Numbers3 turn_between(const std::array<Numbers3, 3>& first, const std::array<Numbers3, 3>& second) {
   Numbers3 sum{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -81,7 +83,7 @@ Numbers3 turn_between(const std::array<Numbers3, 3>& first, const std::array<Num
   return sum;
 }
 
-// Frames that are to be parallel, and are turned by half a turn, have no sine between them either.
+// Whether frames that are to be parallel differ by half a turn: the sine between them is zero as well.
 bool is_opposite(const LoopJoint& loop, const LoopPosture& at) {
   if (loop.type != LoopType::slider && loop.type != LoopType::weld) return false;
   double cosines = 0.0;
@@ -89,7 +91,7 @@ bool is_opposite(const LoopJoint& loop, const LoopPosture& at) {
   return cosines < 0.0;
 }
 
-// The rows of a loop for a motion of its second frame as seen from the first one: as an error, or as a rate.
+// The constraint rows of a loop, for the motion of its second frame relative to the first: as an error, or as a rate.
 struct LoopRows {
   const LoopJoint& loop;
   const LoopPosture& at;
@@ -217,7 +219,7 @@ LoopCluster::Rows LoopCluster::rows(std::vector<double>& q) const {
 int LoopCluster::rank(std::vector<double> q) const {
   const Rows now = rows(q);
   Basis basis;
-  // The columns that stand most across the others first: those that are nearly the same as others come last.
+  // Columns that differ clearly from the others are taken first, and columns that nearly depend on others last.
   int rank = 0;
   std::vector<bool> is_taken(now.columns.size());
   for (const double least : {0.1, 1e-3, kSameMotion})
@@ -245,7 +247,7 @@ bool LoopCluster::has_opposite_frames(const std::vector<double>& q) const {
 
 double LoopCluster::close(std::vector<double>& q, const std::vector<int>& following) const {
   constexpr int kSteps = 60;
-  constexpr double kLargestStep = 0.5;  // rad, m: towards the solution that is next
+  constexpr double kLargestStep = 0.5;  // rad, m: so that iteration reaches the nearest solution
   double gap = 0.0;
   for (int step = 0; step < kSteps; ++step) {
     const Rows now = rows(q);

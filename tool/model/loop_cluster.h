@@ -1,4 +1,4 @@
-// Loops that are closed together by Newton's method, because no formula closes them: of any joints, in space.
+// Loops that Newton's method closes together, because no formula closes them. They may have any joints, in space.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,25 @@ namespace robcogen::model {
 
 class LoopCluster {
  public:
-  // `loops`: of the tree, which outlives this. Positions q below are by joint; those of joints that couplings tie to
-  // others are set by these.
+  // `loops` are indices of loops of the tree, which must outlive this object. In the functions below, positions q (rad,
+  // m) are by joint; positions of coupled joints are ignored and computed from the joints that they follow.
   LoopCluster(const KinematicTree& tree, std::vector<int> loops, std::vector<double> parameters);
 
-  // Those that move the ends of the loops, in the order of the tree: without joints that couplings tie to others, but
-  // with these others.
+  // The joints that move the ends of the loops, in the order of the tree. Coupled joints are replaced by the joints
+  // that they follow.
   const std::vector<int>& joints() const { return joints_; }
-  // The longest lever (m).
+  // The longest lever arm (m).
   double size(const std::vector<double>& q) const;
 
-  // How many motions of the joints the loops take away.
+  // The number of joint motions that the loops remove: the rank of their constraints.
   int rank(std::vector<double> q) const;
-  // As many of the candidates, the first ones first, as follow the other joints; well determined ones before others.
+  // Chooses the dependent joints: as many of the candidates as the other joints determine. Earlier candidates are
+  // preferred, and well determined ones above all.
   std::vector<int> following(std::vector<double> q, const std::vector<int>& candidates) const;
-  // Moves these joints until the loops close, from where they are. Returns how far they remain from closed (m).
+  // Moves these joints from their present positions until the loops close. Returns the remaining gap (m).
   double close(std::vector<double>& q, const std::vector<int>& following) const;
-  // By joint of `following` and of joints(): what it moves by unit motion of the other; zero where that follows, too.
+  // By joint of `following` and by joint of joints(): the displacement of the first per unit displacement of the
+  // second; zero if the second is dependent too.
   std::vector<std::vector<double>> rates(std::vector<double> q, const std::vector<int>& following) const;
 
  private:
@@ -34,7 +36,7 @@ class LoopCluster {
   std::vector<double> parameters_;
   std::vector<int> joints_;
 
-  // Rows in metres: turns are multiplied by the size. A column for each of joints().
+  // Rows are in metres: rotations are multiplied by the size. There is one column for each of joints().
   struct Rows {
     std::vector<double> error;
     std::vector<std::vector<double>> columns;

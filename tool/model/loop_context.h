@@ -1,4 +1,4 @@
-// What the resolution of loops knows of the joints of a tree.
+// The state that the functions which resolve loops share.
 #pragma once
 
 #include <map>
@@ -14,33 +14,33 @@ namespace robcogen::model {
 struct LoopContext {
   KinematicTree& tree;
   Diagnostics& diagnostics;
-  std::vector<double> parameters;    // their defaults
-  std::set<int> given;               // joints of couplings
+  std::vector<double> parameters;    // default values
+  std::set<int> given;               // joints that are part of couplings
   std::map<int, Place> independent;  // joints that are to be independent
   bool may_say_assembled = false;    // as in Description
 
   const std::string& name(int joint) const;
   std::string quoted(const std::vector<int>& joints) const;
-  // Positions of all joints where loops are assembled, of joints that follow near there: as the document gives them,
-  // or zero; of coupled joints as those that they follow have it.
+  // Returns the positions (rad, m) of all joints where loops are assembled, approximate for dependent joints: as the
+  // document gives them, or zero; coupled joints follow by their couplings.
   std::vector<double> start() const;
-  // Whether the document gives the position of any of these joints there.
+  // Whether the document gives any of these joints such a position other than zero.
   bool has_start(const std::vector<int>& joints) const;
-  // Where that is, behind a verb.
+  // Returns a phrase that says where loops are assembled, to follow a verb.
   std::string where(const std::vector<int>& joints) const;
-  // The hint where loops with these joints do not close.
+  // The hint for loops with these joints that do not close.
   std::string hint_to_close(const std::vector<int>& joints) const;
-  // The hint to assemble loops with these joints in another position: such that they are open, for example.
+  // The hint to assemble loops with these joints in another position, such as one in which they are open.
   std::string hint_to_assemble(const std::vector<int>& joints, const std::string& how) const;
-  // Whether a joint may follow others.
+  // Whether a joint may be dependent.
   bool is_free(int joint) const;
   bool is_driven(int joint) const;
-  // The hint to leave out of the list some of these joints that are to be independent; or empty.
+  // The hint to remove some of these joints from the list of independent joints, or empty.
   std::string hint_to_free(const std::vector<int>& joints) const;
   void report(const LoopJoint& loop, const PlaneFault& fault);
 };
 
-// The joints of both ends.
+// The joints of both ends of a loop.
 std::vector<int> joints_of(const LoopJoint& loop);
 
 }  // namespace robcogen::model

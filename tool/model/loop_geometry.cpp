@@ -58,7 +58,7 @@ bool is_dependent(const Closure& closure, int joint) {
   return std::find(closure.dependents.begin(), closure.dependents.end(), joint) != closure.dependents.end();
 }
 
-// Of the dependent joints, in their order.
+// The columns of the dependent joints, in their order.
 std::vector<std::size_t> dependent_columns(const Closure& closure, const LoopPosture& at) {
   std::vector<std::size_t> places;
   for (const int joint : closure.dependents)
@@ -71,7 +71,7 @@ double cross2(const std::vector<double>& a, const std::vector<double>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-// Of the dependent joints: what they must move so that the rows change by `by`.
+// Returns the displacements of the dependent joints that change the rows by `by`.
 std::vector<double> solved(
     const Closure& closure,
     const LoopPosture& at,
@@ -152,7 +152,7 @@ double close(
   const LoopJoint& loop = tree.loops[at(closure.loop())];
   const double length = evaluate(loop.length, parameters);
   constexpr int kSteps = 60;
-  constexpr double kLargestStep = 0.5;  // rad, m: towards the solution that is next
+  constexpr double kLargestStep = 0.5;  // rad, m: so that iteration reaches the nearest solution
   double gap = 0.0;
   for (int step = 0; step < kSteps; ++step) {
     const LoopPosture now = posture(tree, loop, q, parameters);

@@ -1,4 +1,4 @@
-// The geometry of a loop in numbers: where its joints are, how its ends miss one another, and how they move.
+// The numerical geometry of a loop: where its joints are, how far its ends are apart, and how they move.
 #pragma once
 
 #include <array>
@@ -15,53 +15,56 @@ double dot(const Numbers3& a, const Numbers3& b);
 double norm(const Numbers3& a);
 Numbers3 operator-(const Numbers3& a, const Numbers3& b);
 
-// In the last link that carries both ends.
+// The screw of a joint, in coordinates of the last link that carries both ends.
 struct LoopScrew {
   int joint = -1;
   int end = 0;
   bool turns = true;
-  double slide = 0.0;  // m a unit of its position
+  double slide = 0.0;  // m per unit of the joint's position
   Numbers3 axis{};     // unit
   Numbers3 origin{};   // on the axis
 };
 
 struct LoopPosture {
-  std::vector<LoopScrew> screws;                  // of the joints of the first end, then of the second
-  std::array<Numbers3, 2> points{};               // origins of the ends' frames
+  std::vector<LoopScrew> screws;                  // of the joints of the first end, then of the second end
+  std::array<Numbers3, 2> points{};               // origins of the frames at the ends
   std::array<std::array<Numbers3, 3>, 2> axes{};  // their x, y and z axes
 };
 
-// At these positions, by joint.
+// Returns the posture of the loop at positions q (rad, m), by joint.
 LoopPosture posture(
     const KinematicTree& tree,
     const LoopJoint& loop,
     const std::vector<double>& q,
     const std::vector<double>& parameters);
 
-// How the first end misses the second, in rows, and their derivatives: a column for each screw. Of a closure in a
-// plane: along its two axes. Of a distance: half the difference of the squares, by the length.
+// The closing error between the first end and the second, in rows, and its derivatives, one column per screw. For a
+// planar closure, the error along the two axes of the plane; for a distance, half the difference of the squared
+// distances, divided by the length.
 struct LoopError {
   std::vector<double> rows;
   std::vector<std::vector<double>> columns;
 };
 LoopError error_of(const Closure& closure, const LoopPosture& at, double length);
 
-// Moves the dependent joints until the loop closes, from where they are. Returns how far it remains from closed, in m.
+// Moves the dependent joints from their present positions until the loop closes. Returns the remaining gap (m).
 double close(
     const KinematicTree& tree,
     const Closure& closure,
     std::vector<double>& q,
     const std::vector<double>& parameters);
 
-// By dependent joint and screw: what it moves by unit motion of the screw; zero for screws of dependent joints.
+// By dependent joint and screw: the displacement of the joint per unit motion of the screw; zero for screws of
+// dependent joints.
 std::vector<std::vector<double>> rate_factors(const Closure& closure, const LoopPosture& at, const LoopError& error);
 
-// How well the dependent joints are determined: one where their directions are normal to one another, zero where the
-// loop is stretched.
+// How well the dependent joints are determined: 1 if their directions are perpendicular to one another, 0 if the loop
+// is stretched.
 double conditioning(const Closure& closure, const LoopPosture& at, const LoopError& error);
 
-// The sign of the square root with which formulas find this posture, in which the loop is closed: of two joints that
-// turn, the side of the triangle's vertex; of a joint that slides, where the vertex is along it.
+// The sign of the square root with which the formulas find this posture, in which the loop is closed. For two joints
+// that turn, it tells on which side the vertex of the triangle is; for a joint that slides, where along its axis the
+// vertex is.
 double branch_of(const KinematicTree& tree, const Closure& closure, const LoopPosture& at);
 
 }  // namespace robcogen::model

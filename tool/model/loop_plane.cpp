@@ -10,16 +10,17 @@
 namespace robcogen::model {
 namespace {
 
-// Axes that differ by less are parallel but for rounding; those that differ by less than the second are meant to be.
+// Axes that differ by less than kParallel (rad) are parallel up to rounding; axes that differ by less than
+// kMeantParallel are meant to be parallel.
 constexpr double kParallel = 1e-9;
 constexpr double kMeantParallel = 1e-3;
-// Of the size of a loop.
+// As a fraction of the size of a loop.
 constexpr double kSamePlane = 1e-9;
 
-// Why a loop does not move in a plane; the text is empty where it does.
+// Why a loop does not move in a plane; the text is empty if it does.
 struct Reason {
   std::string text;
-  bool is_rounding = false;  // it is meant to
+  bool is_rounding = false;  // the loop is meant to move in a plane
 };
 
 Reason off_plane(const std::string& what, double off) {
@@ -34,7 +35,7 @@ double off_normal(const LoopScrew& screw, const Numbers3& normal) {
   return screw.turns ? norm(cross(screw.axis, normal)) : std::abs(dot(screw.axis, normal));
 }
 
-// Why the joints of a loop do not move its links in the plane of this normal; empty where they do.
+// Returns why the joints of a loop do not move its links in the plane with this normal; empty if they do.
 Reason reason_against(
     const KinematicTree& tree,
     const LoopJoint& loop,
@@ -62,7 +63,7 @@ double gap_along(const LoopPosture& posture, const Numbers3& normal) {
   return gap > kSamePlane * size_of(posture) ? gap : 0.0;
 }
 
-// Coordinate axes where the normal is one.
+// Sets the axes of the plane and the senses of the joints. The axes are coordinate axes if the normal is one.
 void span(const LoopPosture& posture, Numbers3 normal, Closure& closure) {
   std::size_t largest = 0;
   for (std::size_t i = 1; i < 3; ++i)

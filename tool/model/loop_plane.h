@@ -1,4 +1,4 @@
-// The plane in which a loop moves.
+// The plane in which a planar loop moves.
 #pragma once
 
 #include <string>
@@ -7,30 +7,33 @@
 
 namespace robcogen::model {
 
-// A loop is closed where its ends miss one another by this part of its size, or less.
+// A loop is closed if the gap between its ends is at most this fraction of its size.
 inline constexpr double kClosed = 1e-9;
 
-// What is wrong with a loop that should move in a plane: a message without its place; all empty where nothing is.
+// What is wrong with a loop that should move in a plane: a message without a place. All fields are empty if nothing is
+// wrong.
 struct PlaneFault {
   std::string code, message, hint;
   bool is_in_space = false;  // not a mistake: the loop is not meant to move in a plane
 };
 
-// Sets the plane and the senses of a closure of a point or a hinge. `parameters` are values of the tree's.
+// Sets the plane and the senses of the closure of a point or hinge loop. `parameters` are the values of the tree's
+// parameters.
 PlaneFault find_plane(
     const KinematicTree& tree,
     const LoopJoint& loop,
     const std::vector<double>& parameters,
     Closure& closure);
 
-// The message that a loop does not close, `where`; `along`: in which direction, or all.
+// Returns the message that a loop does not close. `where` tells in which position; `along` in which direction, or is
+// empty.
 PlaneFault open_loop(
     const LoopJoint& loop,
     double gap,
     const std::string& where = "at q = 0",
     const std::string& along = "");
 
-// A length: of the longest lever of a joint.
+// Returns the size of a loop (m): the longest lever arm of a joint, or the gap if that is longer.
 double size_of(const LoopPosture& posture);
 
 }  // namespace robcogen::model

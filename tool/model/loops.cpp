@@ -26,7 +26,7 @@ LoopContext context_of(const Description& description, KinematicTree& tree, Diag
   return context;
 }
 
-// Ball joints are one joint each so far, and their components would be three.
+// Refuses spherical joints in loops: each is still a single joint here, but will become three components.
 void report_spherical_joints(LoopContext& context) {
   for (const LoopJoint& loop : context.tree.loops)
     for (const int joint : joints_of(loop))
@@ -40,7 +40,7 @@ void report_spherical_joints(LoopContext& context) {
             "spinning, and a loop with 'type = point' at the other; a rod without mass is a loop with a 'distance'";
 }
 
-// Loops that share joints, directly or through others.
+// Groups the loops that share joints, directly or through other loops.
 std::vector<std::vector<int>> connected_loops(const KinematicTree& tree) {
   std::vector<std::vector<int>> groups;
   std::vector<std::set<int>> joints;  // by group
@@ -63,7 +63,8 @@ std::vector<std::vector<int>> connected_loops(const KinematicTree& tree) {
   return groups;
 }
 
-// Closures by formulas, in an order in which they can be solved; returns the groups of loops that have none.
+// Adds the closures that formulas give, in an order in which they can be solved. Returns the groups of loops without
+// formulas.
 std::vector<std::vector<int>> add_formula_closures(LoopContext& context) {
   std::vector<std::vector<int>> others;
   for (const std::vector<int>& loops : connected_loops(context.tree)) {
@@ -87,7 +88,7 @@ std::vector<double> assemble(LoopContext& context, const std::vector<std::vector
   return q;
 }
 
-// The coordinates, or joints of other closures, that joints of this one follow.
+// The coordinates, or dependent joints of other closures, that the dependent joints of this closure follow.
 std::set<int> leaders_of(const KinematicTree& tree, const Closure& closure) {
   std::set<int> leaders;
   for (const int loop : closure.loops)
@@ -101,7 +102,7 @@ std::set<int> leaders_of(const KinematicTree& tree, const Closure& closure) {
   return leaders;
 }
 
-// The joints of the tree that follow.
+// Adds a coupling for each dependent joint.
 void add_couplings(KinematicTree& tree, const std::vector<double>& q) {
   for (std::size_t k = 0; k < tree.closures.size(); ++k) {
     const std::set<int> leaders = leaders_of(tree, tree.closures[k]);

@@ -12,11 +12,11 @@ namespace robcogen::model {
 
 namespace {
 
-// A moment may violate the triangle inequality or positivity by this fraction of the largest one: documents round their
-// numbers, and rods and plates lie exactly on the limit.
+// A moment may violate the triangle inequality or positivity by this fraction of the largest moment: documents contain
+// rounded numbers, and rods and plates lie exactly on the limit.
 constexpr double kMomentTolerance = 1e-6;
-// Rounding of the subtraction of m |c|^2, by the author of the moments and here: relative to the given moments and to
-// the moment of the link's mass at its reach. Point masses have no other scale.
+// The rounding error of subtracting m |c|^2, by the author of the moments and here, relative to the given moments and
+// to the moment of the link's mass at its reach. Point masses have no other scale.
 constexpr double kNoise = 1e-12;
 
 using Matrix = SymmetricMatrix;
@@ -26,14 +26,14 @@ bool is_constant(const Inertia& i) {
   return std::all_of(all.begin(), all.end(), [](const Quantity* q) { return q->is_constant(); });
 }
 
-// As given: about the origin of the reference frame. Principal moments do not depend on the axes, so those of the
-// reference frame will do.
+// The tensor as given, about the origin of the reference frame. Principal moments do not depend on the axes, so the
+// axes of the reference frame are good enough.
 Matrix given_tensor(const Inertia& i) {
   const double xy = -evaluate(i.ixy), xz = -evaluate(i.ixz), yz = -evaluate(i.iyz);
   return {{{evaluate(i.ixx), xy, xz}, {xy, evaluate(i.iyy), yz}, {xz, yz, evaluate(i.izz)}}};
 }
 
-// About the centre of mass.
+// The tensor about the centre of mass.
 Matrix central_tensor(const Inertia& i) {
   Matrix tensor = given_tensor(i);
   const double m = evaluate(i.mass);
@@ -77,11 +77,11 @@ double length(const std::array<Quantity, 3>& v) {
   return std::hypot(evaluate(v[0]), evaluate(v[1]), evaluate(v[2]));
 }
 
-// By joint: its distance from the origin of the parent's frame.
+// By joint: its distance from the origin of the parent link's frame (m).
 using Distances = std::map<std::string, double>;
 
-// The largest distance from the origin of the link frame to the centre of mass, a user frame, a child joint, or the
-// parent frame.
+// The largest distance (m) from the origin of the link frame to the centre of mass, a user frame, a child joint, or the
+// origin of the parent frame.
 double reach_of(const DescribedLink& link, const Distances& distances, double from_parent) {
   double reach = std::max(from_parent, length(link.inertia->com));
   for (const DescribedFrame& frame : link.frames) reach = std::max(reach, length(frame.placement.translation));

@@ -6,7 +6,7 @@ namespace robcogen::model {
 
 namespace {
 
-// For ASCII letters, independent of the locale.
+// Converts ASCII letters only, independently of the locale.
 std::string lower_case(std::string text) {
   for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -1,4 +1,4 @@
-// Frames and joints that clauses of a document name.
+// Finds frames that a document names.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ std::vector<std::string> names_of(const std::vector<Element>& elements) {
   return names;
 }
 
-// Of frames that the robot has.
+// Returns a pair of frames, both of which must exist.
 FramePair frame_pair(const KinematicTree& tree, const std::string& left, const std::string& right);
 
-// Reports an error of this code where the robot has no such frame, and suggests a similar one.
+// Finds a frame. If the robot has no such frame, reports an error with this code and suggests a similar name.
 std::optional<Frame> find_named_frame(
     const KinematicTree& tree,
     const std::string& name,

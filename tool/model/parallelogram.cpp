@@ -14,9 +14,9 @@
 namespace robcogen::model {
 namespace {
 
-// Of the size of a loop.
+// As a fraction of the size of a loop.
 constexpr double kEqual = 1e-12;
-// The sine between two sides.
+// The sine of the angle between two sides below which a parallelogram is flat.
 constexpr double kFlat = 1e-6;
 
 struct Point {
@@ -30,17 +30,17 @@ double length(const Point& a) {
   return std::hypot(a.x, a.y);
 }
 
-// A joint of the ring of links; -1 for the joint that closes the loop.
+// A joint of the closed chain of links; -1 for the joint that closes the loop.
 struct Pivot {
   int joint = -1;
-  int sense = 0;  // of the next link with respect to the one before
+  int sense = 0;  // sense of rotation of the next link relative to the one before
   Point point;
 };
 
-// Joints about one axis.
+// Joints that share one axis.
 using Corner = std::vector<Pivot>;
 
-// Out along the first end, and back along the second one.
+// The pivots in order, outwards along the first end and back along the second.
 std::vector<Pivot> ring(const Closure& closure, const LoopPosture& posture) {
   const auto in_plane = [&](const Numbers3& p) { return Point{dot(closure.plane[0], p), dot(closure.plane[1], p)}; };
   std::array<std::vector<Pivot>, 2> ends;
@@ -69,7 +69,7 @@ std::vector<Corner> corners(const std::vector<Pivot>& pivots, double tolerance) 
   return result;
 }
 
-// The corners; none where they are no parallelogram.
+// Returns the four corners, or none if the links do not form a parallelogram.
 std::vector<Corner> parallelogram(
     const KinematicTree& tree,
     const LoopJoint& loop,
@@ -130,7 +130,7 @@ std::optional<Parallelogram> find_parallelogram(
     const LoopJoint& loop,
     const std::vector<double>& parameters,
     const Closure& closure) {
-  // Assembled the other way, its links cross.
+  // Assembled on the other branch, its links cross.
   if (closure.method != Closure::Method::planar || loop.takes_other_branch) return std::nullopt;
   const std::vector<Corner> found = parallelogram(tree, loop, parameters, closure);
   if (found.empty()) return std::nullopt;
@@ -139,8 +139,9 @@ std::optional<Parallelogram> find_parallelogram(
     for (std::size_t k = 0; k < others.size(); ++k) others[k] += change * (1.0 + 0.2 * static_cast<double>(k));
     if (parallelogram(tree, loop, others, closure).empty()) return std::nullopt;
   }
-  // The turns of opposite corners are equal, and those of neighbours opposite: of the three corners that do not close
-  // the loop, whose joint has no position, both neighbours against one another, and one against the third.
+  // Opposite corners turn by the same angle, and adjacent corners by opposite angles. The joint that closes the loop
+  // has no position; the other three corners give two sums: the two neighbours of that joint against one another, and
+  // one neighbour against the third corner.
   std::size_t k = 0;
   while (!closes_the_loop(found[k])) ++k;
   Parallelogram::Sums sums;
@@ -157,7 +158,8 @@ std::optional<Parallelogram> find_parallelogram(
 
 namespace {
 
-// As a sum over independent joints; nullopt where a joint that it follows does so in no proportion.
+// Returns the coupling of a joint as a sum over independent joints; nullopt if a joint that it follows depends
+// nonlinearly on the coordinates.
 std::optional<Coupling> coupled(
     const KinematicTree& tree,
     const std::set<int>& in_no_proportion,

@@ -1,4 +1,4 @@
-// Loops in a plane whose links form a parallelogram: opposite links turn alike, so that joints follow others by sums.
+// Planar loops whose links form a parallelogram: opposite links stay parallel, so joints follow one another linearly.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 
 namespace robcogen::model {
 
-// What the joints of a parallelogram have in common.
+// The linear relations between the joints of a parallelogram.
 class Parallelogram {
  public:
-  // By joint, how much it counts in each of two sums, which are zero in every position.
+  // By joint: its coefficients in two sums of joint positions, both of which are zero in every position.
   using Sums = std::map<int, std::array<int, 2>>;
 
   Parallelogram(Sums sums, bool is_flat) : sums_(std::move(sums)), is_flat_(is_flat) {}
 
-  // Whether these two joints follow all others.
+  // Whether the positions of these two joints follow from those of the others.
   bool determines(const std::vector<int>& joints) const;
-  // By dependent joint: those that it follows.
+  // By dependent joint: the joints that it follows.
   std::vector<std::vector<LoopShare>> shares(const std::vector<int>& dependents) const;
-  // Whether its links are parallel, and not crossed, in this position in which it is closed.
+  // Whether the links are parallel rather than crossed in this position, in which the loop is closed.
   bool holds(const std::vector<double>& q) const;
-  // Whether all of its pivots are on one line, where crossed links meet, too.
+  // Whether all pivots are on one line: a position that crossed links share.
   bool is_flat() const { return is_flat_; }
 
  private:
@@ -33,17 +33,17 @@ class Parallelogram {
   bool is_flat_;
 };
 
-// Of a closure in a plane that is closed where all joints are at zero; nullopt where the links are no parallelogram
-// there, or are one for some values of parameters only.
+// Returns the parallelogram that a planar closure forms when all joints are at zero, or nullopt if its links do not
+// form one, or do so only for some values of the parameters.
 std::optional<Parallelogram> find_parallelogram(
     const KinematicTree& tree,
     const LoopJoint& loop,
     const std::vector<double>& parameters,
     const Closure& closure);
 
-// Makes closures that have shares linear couplings, and parallelograms of the tree, and leaves the others, in their
-// order. Where a joint that leads a parallelogram follows through a loop in no proportion, so do those that follow it:
-// its closure stays as it is.
+// Replaces closures that have shares by linear couplings, and moves them to the parallelograms of the tree; the other
+// closures stay, in their order. If a joint that a parallelogram follows depends nonlinearly on the coordinates, so do
+// the parallelogram's dependent joints, and its closure stays unchanged.
 void couple_parallelograms(KinematicTree& tree);
 
 }  // namespace robcogen::model

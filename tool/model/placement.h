@@ -1,4 +1,4 @@
-// Where a frame is.
+// The placement of a frame.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace robcogen::model {
 
-// Pose of a frame in the frame of its parent: translate, then rotate about the intrinsic axes x, y', z''
-// (R = Rx Ry Rz). Metres and radians.
+// The pose of a frame in its parent frame: translate, then rotate about the intrinsic axes x, y', z'' (R = Rx Ry Rz).
+// Metres and radians.
 struct Placement {
   std::array<Quantity, 3> translation;
   std::array<Quantity, 3> rotation;

@@ -5,17 +5,16 @@
 
 namespace robcogen::model {
 
-// Warns about ids of links that are given twice, about gaps between them, and about a child whose id is smaller than
-// that of its parent. Ids have no other effect.
+// Warns about ids that two links share, about gaps between ids, and about a child whose id is smaller than the id of
+// its parent. Ids have no other effect.
 void check_link_ids(const Description& description, Diagnostics& diagnostics);
 
-// Warns, with the numbers, about a mass that is negative or zero, and about impossible moments of inertia: negative
-// about some axis through the centre of mass, or one larger than the sum of the other two. Properties that depend on
-// parameters are not checked, nor is a fixed base, whose properties are never used.
+// Warns, with the numbers, about a negative or zero mass, and about impossible moments of inertia: negative about some
+// axis through the centre of mass, or one larger than the sum of the other two. Properties that depend on parameters
+// are not checked, nor are those of a fixed base, which are never used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
-// Reports values of drives that are negative, and limits that no joint can have. Values that depend on parameters are
-// not checked.
+// Reports negative drive values and impossible limits. Values that depend on parameters are not checked.
 void check_drives(const Description& description, Diagnostics& diagnostics);
 
 // Finds every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space

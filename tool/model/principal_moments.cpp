@@ -6,7 +6,7 @@
 
 namespace robcogen::model {
 
-// By cyclic Jacobi rotations (Golub and Van Loan, 8.5).
+// Uses cyclic Jacobi rotations (Golub and Van Loan, 8.5).
 std::array<double, 3> principal_moments(SymmetricMatrix a) {
   constexpr int kSweeps = 12;  // quadratic convergence: five are enough for doubles
   for (int sweep = 0; sweep < kSweeps; ++sweep) {

@@ -7,7 +7,7 @@ namespace robcogen::model {
 
 using SymmetricMatrix = std::array<std::array<double, 3>, 3>;
 
-// The eigenvalues of a tensor of inertia, in ascending order.
+// Returns the eigenvalues of an inertia tensor (kg m^2) in ascending order.
 std::array<double, 3> principal_moments(SymmetricMatrix tensor);
 
 }  // namespace robcogen::model

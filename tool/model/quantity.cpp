@@ -246,13 +246,14 @@ class Printer {
     return t.binding < at_least ? parenthesise(t) : t.text;
   }
 
-  // A right operand that starts with a sign is enclosed, so that no two operators stand side by side.
+  // A right operand that starts with a sign is enclosed, so that two operators are never adjacent.
   std::string right(const Quantity& q, Binding at_least) const {
     const Text t = print(q);
     return t.binding < at_least || t.text.front() == '-' ? parenthesise(t) : t.text;
   }
 
-  // `0.5 length` for a number times a name, the only product that every dialect reads; otherwise `a*b`.
+  // Prints a number times a name as `0.5 length`, the only product that every dialect can read, and other products as
+  // `a*b`.
   Text product(const Quantity& q) const {
     const Text left = print(q.left());
     const bool left_is_plain = q.left().is_constant() && left.binding != Binding::product;

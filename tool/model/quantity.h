@@ -1,4 +1,4 @@
-// Quantities of a model: constants, parameters, variables, and arithmetic of them.
+// Quantities of a model: arithmetic expressions over constants, parameters and variables.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace robcogen::model {
 
-// Follows from where a parameter stands: in the translation or the rotation of a placement, in a factor of a coupling,
-// or only in mass properties.
+// The kind of a parameter follows from where it is used: in the translation or the rotation of a placement, in a factor
+// of a coupling, or only in mass properties.
 enum class ParameterKind { length, angle, ratio, inertial };
 
 struct Parameter {
@@ -21,11 +21,11 @@ struct Parameter {
   ParameterKind kind = ParameterKind::length;
   std::optional<double> default_value;
   Place place;                    // first use
-  bool is_in_masses_too = false;  // a length or an angle that mass properties depend on
+  bool is_in_masses_too = false;  // a length or an angle that mass properties depend on too
 };
 
-// The interfaces that a parameter belongs to: lengths and angles to the kinematic one, parameters of mass properties to
-// the dynamic one, parameters of both kinds to both.
+// The interfaces that a parameter belongs to: lengths, angles and ratios belong to the kinematic interface, parameters
+// of mass properties to the dynamic interface, and parameters of both kinds to both.
 inline bool is_kinematics(const Parameter& p) {
   return p.kind != ParameterKind::inertial;
 }
@@ -33,8 +33,8 @@ inline bool is_dynamics(const Parameter& p) {
   return p.kind == ParameterKind::inertial || p.is_in_masses_too;
 }
 
-// An immutable arithmetic expression over constants, parameters (by index into the model's list) and variables (by
-// index too). Operators fold constants exactly, and 0 + x, 1 * x, 0 * x.
+// An immutable arithmetic expression over constants, parameters and variables; the latter two are indices into lists of
+// the model. Operators fold constants exactly and simplify 0 + x, 1 * x and 0 * x.
 class Quantity {
  public:
   enum class Op {
@@ -77,7 +77,7 @@ class Quantity {
   friend Quantity tan(const Quantity& a);
   friend Quantity sqrt(const Quantity& a);
 
-  // The same operations on the same constants, parameters and variables; not whether the values are the same.
+  // Compares structure, not values: true for the same operations on the same constants, parameters and variables.
   friend bool operator==(const Quantity& a, const Quantity& b);
 
  private:
@@ -86,13 +86,13 @@ class Quantity {
   std::shared_ptr<const Node> node_;
 };
 
-// Numerical value; parameters and variables are looked up by index.
+// Returns the numerical value; parameters and variables are looked up by index.
 double evaluate(const Quantity& q, std::span<const double> parameters = {}, std::span<const double> variables = {});
 
-// Indices of the parameters that a quantity depends on.
+// Returns the indices of the parameters that a quantity depends on.
 std::vector<int> parameters_of(const Quantity& q);
 
-// Text in the documents' syntax.
+// Returns the text of a quantity in the syntax of the documents.
 std::string print(
     const Quantity& q,
     const std::vector<Parameter>& parameters,

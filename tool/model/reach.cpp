@@ -12,14 +12,14 @@ double magnitude(const Quantity& q, double of_unknown) {
   return q.is_constant() ? std::abs(q.number().value()) : of_unknown;
 }
 
-// An upper bound of the length.
+// An upper bound on the length.
 double length_of(const std::array<Quantity, 3>& offset) {
   double sum = 0.0;
   for (const Quantity& q : offset) sum += magnitude(q, 1.0);
   return sum;
 }
 
-// Of the link alone.
+// The extent of the link without its subtree.
 Extent extent_of(const Link& link) {
   Extent result;
   if (!link.inertia) return result;

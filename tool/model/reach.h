@@ -1,4 +1,4 @@
-// Upper bounds of the size of a robot.
+// Upper bounds on the size of a robot.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace robcogen::model {
 
-// Of a link and its subtree, from constants only: a length that depends on parameters counts as one metre, a mass as
-// zero.
+// Bounds for a link and its subtree, from constants only: a length that depends on parameters counts as one metre, and
+// a mass that does as zero.
 struct Extent {
-  double length = 0.0;   // m: from the link's origin along the offsets of joints and centres of mass, the longest path
+  double length = 0.0;   // m: longest path from the link's origin along the offsets of joints and centres of mass
   double mass = 0.0;     // kg
-  double inertia = 0.0;  // kg m^2: at least any moment or product about the link's origin
+  double inertia = 0.0;  // kg m^2: bound on any moment or product about the link's origin
 };
 
-// By link.
+// Returns the extents by link.
 std::vector<Extent> extents(const KinematicTree& tree);
 
 }  // namespace robcogen::model

@@ -9,7 +9,7 @@ namespace robcogen::model {
 
 namespace {
 
-// trx try trz rotx roty rotz, without steps of zero.
+// The steps trx try trz rotx roty rotz; steps of zero are omitted.
 std::vector<ElementaryMotion> steps_of(const Placement& placement) {
   std::vector<ElementaryMotion> steps;
   for (const bool rotation : {false, true}) {
@@ -22,7 +22,7 @@ std::vector<ElementaryMotion> steps_of(const Placement& placement) {
   return steps;
 }
 
-// A name different from those of all parameters.
+// Returns a name that no parameter has.
 std::string variable_name(const KinematicTree& tree, const std::string& joint) {
   std::string name = "q_" + joint;
   const auto is_taken = [&] {
@@ -33,7 +33,7 @@ std::string variable_name(const KinematicTree& tree, const std::string& joint) {
   return name;
 }
 
-// What a joint makes of its position.
+// The motion of a joint at this position.
 std::vector<ElementaryMotion> travel_of(const Joint& joint, const Quantity& position) {
   std::vector<ElementaryMotion> steps;
   if (turns(joint.type)) steps.push_back({true, Axis::z, position});
@@ -42,7 +42,7 @@ std::vector<ElementaryMotion> travel_of(const Joint& joint, const Quantity& posi
   return steps;
 }
 
-// `positions` of the joints, over the variables of these names.
+// `positions` are the positions of the joints, over the variables of these names.
 RigidMotions motions_of(
     const KinematicTree& tree,
     const std::vector<Quantity>& positions,

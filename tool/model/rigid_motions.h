@@ -10,16 +10,16 @@ namespace robcogen::model {
 
 enum class Axis { x = 0, y = 1, z = 2 };
 
-// A translation along, or a rotation about, one coordinate axis; or any rotation, by a unit quaternion.
+// A translation along, or a rotation about, one coordinate axis; or a general rotation given by a unit quaternion.
 struct ElementaryMotion {
   bool rotation = false;
   Axis axis = Axis::x;
   Quantity amount;                        // m or rad
-  std::vector<Quantity> quaternion = {};  // w, x, y, z of a rotation, in place of axis and amount; or empty
+  std::vector<Quantity> quaternion = {};  // w, x, y, z of a rotation, instead of axis and amount; or empty
 };
 
-// local: each step is about the axes of the frame reached so far. fixed: axes stay parallel to the initial frame,
-// rotations are about the moving origin.
+// local: each step refers to the axes of the frame reached so far. fixed: the axes stay parallel to those of the
+// initial frame, and rotations are about the moving origin.
 enum class MotionConvention { local, fixed };
 
 // `from -> to : steps` moves frame `from` onto frame `to`.
@@ -27,7 +27,7 @@ struct Motion {
   std::string from;
   std::string to;
   std::vector<ElementaryMotion> steps;
-  std::string name;  // user name, may be empty
+  std::string name;  // given by the user, or empty
 };
 
 // Variables are indices into `variables`, parameters into `parameters`.
@@ -36,19 +36,21 @@ struct RigidMotions {
   MotionConvention convention = MotionConvention::local;
   std::vector<Parameter> parameters;
   std::vector<std::string> variables;
-  std::vector<std::string> frames;  // may name more frames than the motions do
+  std::vector<std::string> frames;  // may contain frames that no motion uses
   std::vector<Motion> motions;
 };
 
-// The poses of all joint frames, link frames and visible user frames of a robot. Variable i is the position of joint i,
-// named `q_<joint>`; behind them are the scalar parts of the quaternions, in the order of spherical_joints().
+// Returns the poses of all joint frames, link frames and visible user frames of a robot, from parent to joint frame,
+// from joint frame to child, and from link to user frame. Variable i is the position of joint i, named `q_<joint>`; the
+// scalar parts of the quaternions follow, in the order of spherical_joints().
 // (`fr_<parent> -> fr_<joint>`, `fr_<joint> -> fr_<child>`, `fr_<link> -> <frame>`.)
 RigidMotions motions_of(const KinematicTree& tree);
 
-// The step of a spherical joint, by its first component, over these variables.
+// Returns the motion of a spherical joint, identified by its first component, over these variables.
 ElementaryMotion spherical_motion(const KinematicTree& tree, int joint);
 
-// The same over independent joints: coupled ones follow them. Of a robot without spherical joints and loops.
+// The same with the independent joints as variables; coupled joints follow them. For robots without spherical joints
+// and loops.
 RigidMotions motions_over_coordinates(const KinematicTree& tree);
 
 }  // namespace robcogen::model

@@ -45,7 +45,7 @@ void expand_spherical_joints(KinematicTree& tree) {
   const auto is_spherical = [](const Joint& joint) { return joint.type == JointType::spherical; };
   if (std::none_of(tree.joints.begin(), tree.joints.end(), is_spherical)) return;
   const std::vector<Joint> before = std::exchange(tree.joints, {});
-  std::vector<int> moved;  // by joint: its place, or that of its first component
+  std::vector<int> moved;  // by joint: its new index, or that of its first component
   int place = 0;
   for (const Joint& joint : before) {
     moved.push_back(place);

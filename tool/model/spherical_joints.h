@@ -5,8 +5,8 @@
 
 namespace robcogen::model {
 
-// Replaces each spherical joint, which is a single joint so far, by its three components, between repeated links behind
-// all others. Indices of joints change; those of links stay.
+// Replaces each spherical joint, which is a single joint until then, by its three components. The repeated links
+// between them are added after all other links. Indices of joints change; indices of links stay.
 void expand_spherical_joints(KinematicTree& tree);
 
 }  // namespace robcogen::model

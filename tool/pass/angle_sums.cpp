@@ -58,7 +58,7 @@ Expression AngleSums::operand(int node) const {
   return const_cast<Graph&>(graph_).expression(node, false);
 }
 
-// What follows from parameters alone, built anew in another graph with the same parameters.
+// Copies an expression that depends on parameters alone to another graph with the same parameters.
 Expression AngleSums::copy(Graph& graph, const Expression& e) const {
   const Node& n = node(e);
   Expression result;

@@ -13,8 +13,8 @@ struct SinCos {
   symbolic::Expression sin, cos;
 };
 
-// The position of a joint that turns, or slides: then its sine and cosine are not known, but a coupled joint may turn
-// by it.
+// The position of a joint that turns or slides. If it slides, its sine and cosine are not known, but a coupled joint
+// may turn by it.
 struct Position {
   std::string joint;
   bool is_angle = true;
@@ -36,11 +36,11 @@ class AngleSums {
   bool follows_from_parameters(const symbolic::Expression& e) const;
 
   // Sine and cosine from those of the joints by the addition theorems, in a graph whose inputs are the parameters, the
-  // sines of all joints, and their cosines. Nullopt for an angle that is not a sum of joint positions and of what
-  // follows from parameters alone.
+  // sines of all joints, and their cosines. nullopt for an angle that is not a sum of joint positions and of terms that
+  // depend on parameters alone.
   std::optional<SinCos> by_addition(symbolic::Graph& graph, const symbolic::Expression& e) const;
 
-  // `HFE_KFE` of a sum of joints, `HFE_turned` with a constant or a parameter.
+  // `HFE_KFE` for a sum of joint positions, `HFE_turned` for one with a constant or a parameter.
   std::string label(const symbolic::Expression& e) const;
 
  private:

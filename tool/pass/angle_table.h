@@ -1,5 +1,5 @@
-// The angles whose sines and cosines programs read, numbered: the position of each joint, then the sums that are read
-// as well.
+// Numbers the angles whose sines and cosines programs read: the position of each joint, then the sums that are read as
+// well.
 #pragma once
 
 #include <map>
@@ -15,22 +15,23 @@ namespace robcogen::pass {
 
 class AngleTable {
  public:
-  // The parameters may have no elements.
+  // `parameters` may have no elements.
   AngleTable(symbolic::InputArray parameters, const std::vector<Position>& positions);
 
   AngleSums& sums() { return sums_; }
   int count() const { return static_cast<int>(all_.size()); }
 
-  // The number of an angle, that it gets when it is new; nullopt where the addition theorems do not reach it.
+  // The number of an angle; a new angle gets the next one. nullopt if the addition theorems do not give its sine and
+  // cosine.
   std::optional<int> number(const symbolic::Expression& angle);
 
-  // The inputs that take the place of all angles: of each the sine, and the cosine.
+  // The inputs that replace the angles: the sines and the cosines of all of them.
   symbolic::InputArray sines() const { return array("sin_q", symbolic::Role::joint_sine, "s_"); }
   symbolic::InputArray cosines() const { return array("cos_q", symbolic::Role::joint_cosine, "c_"); }
 
-  // These angles, from parameters and joint positions.
+  // The program that computes these angles from parameters and joint positions.
   symbolic::Program program(const std::string& name, const std::vector<int>& which) const;
-  // Sines and cosines of all angles, from those of the joints.
+  // The program that computes the sines and cosines of all angles from those of the joints.
   symbolic::Program addition(const std::string& name) const;
 
  private:

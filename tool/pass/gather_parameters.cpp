@@ -35,13 +35,13 @@ class ParameterGatherer {
   }
 
  private:
-  // x as factor * rest, the factor known.
+  // An expression as factor * rest, with a known factor.
   struct Product {
     bool has_factor = false;
     Expression factor, rest;
   };
 
-  // Whether it follows from parameters and constants alone.
+  // Whether the expression depends on parameters and constants alone.
   bool is_known(const Expression& e) {
     if (e.is_constant()) return true;
     const std::vector<Node>& nodes = e.graph()->nodes();

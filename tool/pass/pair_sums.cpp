@@ -37,7 +37,7 @@ std::vector<int> depths(const Program& p) {
 
 constexpr int kAlone = -1;
 
-// By statement: the other sum of its pair. Sums of one section first, then what is left.
+// By statement: the other sum of its pair. Sums of one section are paired first, then the rest.
 std::vector<int> partners(const Program& p) {
   const std::vector<int> depth = depths(p);
   std::vector<int> result(p.statements.size(), kAlone);
@@ -57,7 +57,7 @@ std::vector<int> partners(const Program& p) {
   return result;
 }
 
-// Puts statements in their order, and before the first sum of a pair all that the second one needs.
+// Keeps statements in their order, except that all that the second sum of a pair needs goes before the first one.
 class PairOrder {
  public:
   PairOrder(const Program& p, std::vector<int> partners)

@@ -1,4 +1,4 @@
-// Puts sums over lanes in pairs: the two of a pair share their instructions, which halves their cost.
+// Puts sums over lanes in pairs: the two sums of a pair share their instructions, which halves their cost.
 #pragma once
 
 #include "symbolic/program.h"

@@ -1,4 +1,4 @@
-// Program to equivalent program. Each pass can be left out; results then differ by rounding only.
+// Passes from a program to an equivalent program. Each pass can be left out; results then differ by rounding only.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace robcogen::pass {
 
 // Rebuilds the program through the folding rules of symbolic::Graph: constants, zeros, ones, k1 (k2 x), k1 x + k2 x,
-// (x + c1) + c2, (p + q) - q. Equal statements are computed once, and what no output needs goes.
+// (x + c1) + c2, (p + q) - q. Equal statements are computed once, and statements that no output needs are dropped.
 symbolic::Program canonical(symbolic::Program program);
 
 // Reorders sums that nothing else reads so that each addition can be fused with a product.

@@ -16,7 +16,7 @@ using symbolic::Program;
 using symbolic::Role;
 using symbolic::Statement;
 
-// The values of a program, lane by lane, as far as they follow from parameters and joint positions.
+// The values of a program, lane by lane, as far as they depend on parameters and joint positions only.
 class Values {
  public:
   explicit Values(const Program& program) {
@@ -66,7 +66,7 @@ class AngleReader {
   const InputPlace q_, parameters_;
   Values values_;
 
-  // This lane of a statement whose first operand is `a` there.
+  // One lane of a statement whose first operand is `a` in that lane.
   std::optional<Expression> compute(const Statement& s, std::optional<Expression> a, int lane) {
     if (s.op == Op::gather || !a) return a;
     const auto b = symbolic::is_binary(s.op) ? read(s.b, lane) : Expression();
@@ -74,7 +74,7 @@ class AngleReader {
     return symbolic::apply(s.op, *a, *b);
   }
 
-  // An operand of a value with lanes, in one of these.
+  // An operand of a value with lanes, in one of its lanes.
   std::optional<Expression> read(const Operand& o, int lane) {
     std::optional<Expression> value;
     if (is_constant(o)) value = angles_.sums().graph().constant(program_.constants[at(o.index)]);

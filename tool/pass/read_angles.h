@@ -8,19 +8,19 @@
 
 namespace robcogen::pass {
 
-// Of a sine or cosine of an angle: the angle, and the sign that it has there.
+// The angle that a sine or cosine reads, and its sign there.
 struct Reading {
   int angle = 0;
   bool negative = false;
 };
 
-// Of each statement that is a sine or cosine of angles: a reading for each lane; else none.
+// By statement: a reading for each lane if it is a sine or cosine of angles, otherwise none.
 using Readings = std::vector<std::vector<Reading>>;
 
-// New angles get their numbers.
+// The angles that a program reads. New angles are added to the table.
 Readings read_angles(const symbolic::Program& program, AngleTable& angles);
 
-// The first array of a role, and where its elements stand among all.
+// The first input array with a role, and the flat index of its first element.
 struct InputPlace {
   const symbolic::InputArray* array = nullptr;
   int begin = 0;

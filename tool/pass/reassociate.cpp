@@ -111,7 +111,7 @@ class Reassociation {
   std::vector<int> uses_;
   std::vector<bool> inner_;  // a sum that only another sum reads
   std::vector<int> latest_;
-  std::vector<int> finish_;  // of what was made
+  std::vector<int> finish_;  // of rebuilt statements
   Rebuild rebuild_;
 
   bool is_product(const Operand& o) const {
@@ -120,7 +120,7 @@ class Reassociation {
     return p_.statements[i].op == Op::multiply && uses_[i] == 1;
   }
 
-  // When a term can enter a sum: a product is fused, so its factors count.
+  // The cycle in which a term can enter a sum: a product is fused, so its factors count.
   int ready(const Operand& o) const {
     if (!is_statement(o)) return 0;
     const int finish = finish_[static_cast<std::size_t>(o.index)];
@@ -145,7 +145,7 @@ class Reassociation {
     return true;
   }
 
-  // The sum as it was, inner sums first.
+  // Keeps a statement as it was, inner sums first.
   void keep(std::size_t i) {
     const Statement& s = p_.statements[i];
     int start = 0;
@@ -163,8 +163,8 @@ class Reassociation {
 
 // A processor fuses an addition with one product at no cost. In x + (a b + c d) the inner sum is fused with one product
 // and the outer one with none; in (x + a b) + c d both are fused. So a sum becomes a chain that begins with a term that
-// is not a product and adds the other terms in the order in which they become available; a sum stays as it was where
-// the chain would lengthen the critical path of the program.
+// is not a product and adds the other terms in the order in which they become available; a sum stays as it was if the
+// chain would lengthen the critical path of the program.
 Program reassociate(Program p) {
   return Reassociation(p).run();
 }

@@ -23,8 +23,8 @@ using symbolic::Program;
 using symbolic::Role;
 using symbolic::Statement;
 
-// The program with sines and cosines as inputs behind the joint positions. Statement by statement, so that it rounds
-// as the program does.
+// The program with sines and cosines as inputs after the joint positions. It is rewritten statement by statement, so
+// that it rounds as the program does.
 class Core {
  public:
   Core(const Program& program, const Readings& readings, const InputArray& sines, const InputArray& cosines)
@@ -61,7 +61,7 @@ class Core {
     if (!is_whole) o = input(at(o.index), at(std::max(o.lane, 0)), o.negative);
   }
 
-  // What a sine or cosine is in this lane.
+  // The input that replaces a sine or cosine in this lane.
   Operand input(std::size_t statement, std::size_t lane, bool negative) const {
     const Reading& reading = readings_[statement][lane];
     const bool is_cosine = program_.statements[statement].op == Op::cosine;
@@ -88,8 +88,8 @@ class Core {
   const Program& program_;
   const Readings& readings_;
   const InputArray &sines_, &cosines_;
-  std::size_t behind_ = 0;  // the array behind the joint positions
-  int end_ = 0;             // the element behind them
+  std::size_t behind_ = 0;  // the array after the joint positions
+  int end_ = 0;             // the element after them
   UniqueNames names_;       // of a program with lanes
 };
 

@@ -1,9 +1,9 @@
 // Splits programs into the computation of sines and cosines and the rest, which takes them as inputs.
 //
 // A controller that calls many functions in one state computes sines and cosines once and passes them to all functions.
-// All programs number the angles in the same way: first the position of each joint, then the sums that programs read as
-// well, of several joints, of constants and of parameters. The addition theorems give the sines and cosines of sums
-// from those of the joints.
+// All programs number the angles in the same way: first the position of each joint, then the sums of joint positions,
+// constants and parameters that programs read as well. The addition theorems give the sines and cosines of sums from
+// those of the joints.
 #pragma once
 
 #include <optional>

@@ -24,7 +24,7 @@ using symbolic::Program;
 using symbolic::Role;
 using symbolic::Statement;
 
-// Where the elements of the parameters stand among a program's inputs.
+// The flat indices of the parameters among a program's input elements.
 struct Range {
   int begin = 0;
   int end = 0;
@@ -41,7 +41,7 @@ std::optional<Range> parameters_of(const Program& program) {
   return std::nullopt;
 }
 
-// What follows from the parameters alone, of all programs, in one graph whose inputs are the parameters.
+// The values of all programs that depend on the parameters alone, in one graph whose inputs are the parameters.
 class Derived {
  public:
   // Values of the statements of a program that read nothing but parameters and constants; nullopt for the others.
@@ -92,7 +92,8 @@ class Derived {
     if (!value.is_constant() && kept_.insert(value.node()).second) order_.push_back(value.negative() ? -value : value);
   }
 
-  // Settles the places of what is kept: first what depends on kinematics parameters alone, then dynamics, then both.
+  // Orders the values in the cache: first those that depend on kinematics parameters alone, then those that depend on
+  // dynamics parameters alone, then those that depend on both.
   void arrange(const std::vector<Interfaces>& interfaces) {
     std::vector<unsigned> uses;  // by node: bit 0 kinematics, bit 1 dynamics
     for (const Node& n : graph_.nodes()) {
@@ -127,7 +128,7 @@ class Derived {
   }
 
  private:
-  // The name that a statement gave it, or its parameter's own; numbered where another value has it.
+  // The name that a statement gave the value, or the name of its parameter; numbered if another value has it.
   std::string label(const Expression& value) { return taken_.add(names_.at(value.node())); }
 
   Graph graph_;
@@ -140,14 +141,14 @@ class Derived {
   UniqueNames taken_;
 };
 
-// One program, and what of it follows from the parameters.
+// One program, and its values that follow from the parameters.
 struct Half {
   const Program* program;
   std::optional<Range> parameters;
   std::vector<std::optional<Expression>> values;
 };
 
-// Calls f on every operand of a statement that is left, and on every element of an output.
+// Calls f on every operand of the remaining statements, and on every element of an output.
 template <class F>
 void for_each_operand_left(const Half& half, F f) {
   for (std::size_t i = 0; i < half.program->statements.size(); ++i) {
@@ -160,7 +161,7 @@ void for_each_operand_left(const Half& half, F f) {
     for (const Operand& o : array.values) f(o);
 }
 
-// What is left of a program, built anew over the cache.
+// Rebuilds the rest of a program, which reads the cache.
 class Rest {
  public:
   Rest(const Half& half, Derived& derived) : half_(half), derived_(derived), left_(half.program->statements.size()) {}
@@ -234,7 +235,7 @@ SplitPrograms split_parameters(std::vector<Program> programs, const std::vector<
   }
   derived.arrange(interfaces);
 
-  // One program after another gives way to its rest: large robots have hundreds of megabytes of them.
+  // Each program is replaced by its rest at once: those of large robots take hundreds of megabytes.
   for (std::size_t i = 0; i < programs.size(); ++i) {
     if (!halves[i].parameters) continue;
     Program rest = Rest(halves[i], derived).build();

@@ -1,4 +1,4 @@
-// Rewriting a program's list of statements: what the passes on statements share.
+// Rewrites a program's list of statements: shared by the passes on statements.
 #pragma once
 
 #include <vector>

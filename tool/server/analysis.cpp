@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Open documents are read in place of their files, with a record of what was asked for.
+// Returns options with which open documents are read instead of their files. Every requested path is recorded in
+// `read`.
 driver::LoadOptions load_options(const Documents& documents, std::set<fs::path>& read) {
   driver::LoadOptions options;
   options.import_folders = documents.import_folders;
@@ -53,7 +54,7 @@ void check_list(const OpenDocument& list, const Documents& documents, RobotFinde
   }
 }
 
-// Zeros come from binary files and from UTF-16.
+// Zero bytes come from binary files and from UTF-16.
 bool is_text(const OpenDocument& document, Diagnostics& diagnostics) {
   const std::size_t zero = document.source->text().find('\0');
   if (zero == std::string_view::npos) return true;

@@ -9,14 +9,14 @@
 
 namespace robcogen::server {
 
-// From the parameters of a request to its result; an exception of the JSON library where they are not as they should
-// be.
+// Computes the result of a request from its parameters. Throws an exception of the JSON library if the parameters are
+// malformed.
 using Answer = std::function<Json(Workspace&, const Json& parameters)>;
 
-// nullptr for an unknown method.
+// Returns nullptr for an unknown method.
 const Answer* find_answer(const std::string& method);
 
-// What `initialize` says of them.
+// The capabilities that the result of `initialize` lists for these requests.
 Json capabilities_of_answers();
 
 }  // namespace robcogen::server

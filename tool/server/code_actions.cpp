@@ -1,4 +1,4 @@
-// Quick fixes of the diagnostics in a range.
+// Quick fixes for the diagnostics in a range.
 #include <algorithm>
 
 #include "server/features.h"

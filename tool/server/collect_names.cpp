@@ -24,7 +24,7 @@ class Collector {
   const Parsed& document_;
   Names& names_;
 
-  // The word without its '^'. Words that the parser made up have no place.
+  // Returns the span of the word without its '^'. Words that the parser invented have no place.
   Span word(const Span& span) const {
     const std::string_view text = document_.source->text();
     const bool is_escaped = span.begin < text.size() && text[span.begin] == '^';
@@ -50,7 +50,7 @@ class Collector {
       add({place.begin + piece.span.begin, place.begin + piece.span.end}, piece.symbol);
   }
 
-  // The word `name` among the tokens of an expression, behind `skipped` words.
+  // Finds the word `name` among the tokens of an expression, after skipping `skipped` words.
   std::optional<Span> word_in(const Span& span, const std::string& name, std::size_t skipped) const {
     const auto& tokens = document_.tokens.tokens;
     auto token = std::lower_bound(
@@ -65,7 +65,8 @@ class Collector {
     return std::nullopt;
   }
 
-  // `leg.foot` at the span: an instance, or each of the loop whose variable it is, and the name in their part.
+  // Collects the pieces of `leg.foot` at the span: `leg` is an instance or a loop variable, which stands for each
+  // instance of the loop, and `foot` is the name in their part.
   template <class Loops>
   void member(
       const Scope& scope,
@@ -85,7 +86,7 @@ class Collector {
     if (const auto place = word_in(span, name, 1); place && attached)
       add_pieces(*place, is_frame ? names_.frame(*attached, name) : names_.element(*attached, name));
   }
-  // The instances that the heads of loops list.
+  // Collects the instances that the heads of loops list.
   template <class Loops>
   void instances_of(const Loops& loops, const Scope& scope) {
     for (const auto& loop : loops)
@@ -93,7 +94,7 @@ class Collector {
         add(instance.span, {scope.document->path, scope.name(), NameKind::instance, instance.text});
   }
 
-  // Every named part of an expression: visit(expression, span of the name).
+  // Visits every name in an expression: visit(expression, span of the name).
   template <class Visit>
   void visit_names(const ExpressionPtr& e, const Visit& visit) const {
     if (!e) return;
@@ -232,7 +233,7 @@ class RobotCollector : public Collector {
       add_pieces(joint.span, names_.element(*attached, joint.text));
   }
 
-  // The name, where an import of this document gives it.
+  // Returns the name if an import of this document assigns it, or else an empty string.
   std::string alias(const std::string& name) const {
     for (const kinematics::Import& import : document_.robot()->imports)
       if (import.name && import.name->text == name) return name;
@@ -255,7 +256,8 @@ class FramesCollector : public Collector {
     }
     statements(*this);
   }
-  // `is_listed`: in the list of frames. Without a list, the first place declares a frame.
+  // `is_listed` tells that the name is in the list of frames. If there is no list, the first use of a frame declares
+  // it.
   void frame(const language::Name& name, bool is_listed = false) {
     add(name.span, {document_.path, "", NameKind::frame, name.text}, known_.insert(name.text).second || is_listed);
   }

@@ -1,4 +1,4 @@
-// The names in a document of each language.
+// Collects the names in a document, in any of the languages.
 #pragma once
 
 #include <vector>

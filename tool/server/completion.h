@@ -1,4 +1,4 @@
-// What may stand at a place of a document, by its language. Each adds to a list of items.
+// Completion by language: what may stand at a place of a document. Each function adds to a list of items.
 #pragma once
 
 #include "server/completion_items.h"

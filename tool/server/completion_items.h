@@ -10,7 +10,7 @@
 
 namespace robcogen::server {
 
-// Kinds of the protocol.
+// Item kinds of the protocol.
 enum ItemKind {
   function_item = 3,
   field_item = 5,
@@ -20,20 +20,20 @@ enum ItemKind {
   keyword_item = 14
 };
 
-// Each label stands once, of the kind with which it was added first.
+// Each label is listed once, with the kind with which it was added first.
 class CompletionItems {
  public:
   void add(std::string_view label, ItemKind kind, const std::string& detail);
   void add_word(std::string_view word) { add(word, keyword_item, ""); }
-  // Those that may begin an item of the block.
+  // Adds the words that may begin an item of the block.
   void add_words(driver::Language language, std::string_view block);
-  // What an expression at the place may name: parameters, functions, the constant.
+  // Adds what an expression at the place may name: parameters, functions, the constant.
   void add_expression(const Lookup& lookup);
 
-  // It is not added from here on.
+  // Excludes a label from later additions.
   void leave_out(const std::string& label) { known_.insert(label); }
 
-  // The list of the protocol.
+  // The list in the form of the protocol.
   const Json& list() const { return items_; }
 
  private:

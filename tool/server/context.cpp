@@ -13,7 +13,7 @@ bool is_word_token(const Token& token) {
   return token.kind == Token::Kind::identifier;
 }
 
-// What a brace opens, from the tokens before it in its block.
+// Returns the block that a brace opens, given the tokens before it in the enclosing block.
 Context::Block opened(const std::vector<Token>& before, const Context& context) {
   static const std::set<std::string_view> alone = {
       "inertia_params", "inertia_properties", "children", "frames", "ref_frame", "couplings", "loops",  "independent",
@@ -28,7 +28,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
   if (context.block() == "actuators" && !before.empty()) return {"actuator", std::string(before.back().text)};
   if (!before.empty() && !is_of_frames && alone.contains(before.back().text))
     return {std::string(before.back().text), ""};
-  // A name, `floating`, or the parameters of a part stand between.
+  // A name, `floating`, or the parameters of a part may stand in between.
   for (auto token = before.rbegin(); token != before.rend(); ++token)
     if (named.contains(token->text) && token != before.rbegin() && !is_of_frames)
       return {std::string(token->text), std::string(std::prev(token)->text)};
@@ -41,12 +41,12 @@ bool is_joint_word(std::string_view word) {
   return word.ends_with("_joint") && word.size() > 6;
 }
 
-// `word` and `name` of the body: `Robot` or `Part`; any name where none is given.
+// `word` is `Robot` or `Part`, and `name` is the name of that body; any name if empty.
 DeclaredNames declared_in(const language::TokenList& list, std::string_view word, const std::string& name) {
   DeclaredNames result;
   bool is_inside = false;
   std::string link;
-  int depth = 0, frames_at = -1;  // blocks that are open; the depth of `frames`
+  int depth = 0, frames_at = -1;  // number of open blocks; depth of `frames`
   for (std::size_t i = 0; i + 1 < list.tokens.size(); ++i) {
     const Token &token = list.tokens[i], &next = list.tokens[i + 1];
     if (token.text == "{") ++depth;
@@ -136,7 +136,7 @@ Context context_at(const language::TokenList& tokens, std::size_t offset) {
     if (token.text == "(") ++context.open_parentheses;
     if (token.text == ")") --context.open_parentheses;
     context.before.push_back(token);
-    // A statement is short; of a document that is wrong, the tokens just before the place will do.
+    // A statement is short; in an invalid document, the last tokens before the place are enough.
     if (context.before.size() > 64) context.before.erase(context.before.begin(), context.before.begin() + 32);
   }
   return context;

@@ -1,4 +1,4 @@
-// What surrounds a place in a document, by its tokens: a document is rarely sound where somebody writes.
+// The context of a place in a document, from its tokens: where somebody is writing, a document is rarely valid.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace robcogen::server {
 
 struct Context {
-  // The blocks around the place, outermost first: the word that begins each, and the name behind it.
+  // The enclosing blocks, outermost first: the word that begins each block, and the name after it.
   struct Block {
     std::string word;
     std::string name;
@@ -23,22 +23,22 @@ struct Context {
 
   const std::string& block() const;
   bool follows(std::string_view text) const { return !before.empty() && before.back().text == text; }
-  // The word before the last token: `carrier` in `carrier =`.
+  // Returns the word before the last token if that is `text`: `carrier` in `carrier =`.
   std::string_view word_before(std::string_view text) const;
 };
 
-// The names of a robot or part, by its tokens: the parser may have lost elements that are not complete.
+// The names that a robot or part declares, from its tokens: the parser may have dropped incomplete elements.
 struct DeclaredNames {
   std::vector<std::string> links, joints;                  // without the base
-  std::set<std::string> carried, used;                     // links and joints behind `via` and before it
+  std::set<std::string> carried, used;                     // links before `via`, and joints after it
   std::map<std::string, std::vector<std::string>> frames;  // user frames by link
 };
 
-// Of the part or robot around the place; by the name of the part.
+// Returns the names of the part or robot around the place; of the part with this name.
 DeclaredNames declared_around(const language::TokenList& tokens, const Context& context);
 DeclaredNames declared_in_part(const language::TokenList& tokens, const std::string& part);
 
-// Names that stand where expressions have parameters, but for `words`.
+// Returns the names that stand where expressions have parameters, except `words`.
 std::vector<std::string> parameter_names(const language::TokenList& tokens, const std::set<std::string>& words);
 
 Context context_at(const language::TokenList& tokens, std::size_t offset);

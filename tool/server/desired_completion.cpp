@@ -26,7 +26,7 @@ void complete_list(Workspace& workspace, Lookup& lookup, const Context& context,
     return items.add_words(driver::Language::desired, "");
   }
   if (block == "Frames") {
-    // What is listed is known.
+    // Frames that are already listed are not offered again.
     for (const auto& name : lookup.document->desired()->frames) items.leave_out(name.text);
     items.add_words(driver::Language::desired, block);
     add_frames_of_model(workspace, lookup, items);

@@ -10,7 +10,7 @@ namespace {
 
 using driver::Language;
 
-// The names of languages in editors, and the suffixes of files.
+// The names of languages in editors, which are also the suffixes of files.
 constexpr std::array kLanguages = {
     std::pair("kindsl", Language::robot), std::pair("dtdsl", Language::desired), std::pair("motdsl", Language::motions),
     std::pair("ctdsl", Language::transforms), std::pair("urdf", Language::urdf)};

@@ -1,4 +1,4 @@
-// The documents that the editor has open: all that the server remembers.
+// The documents that are open in the editor: the only state that the server keeps.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace robcogen::server {
 
 struct OpenDocument {
   std::string uri;             // as the editor spells it
-  std::filesystem::path path;  // without a file, its URI, with the suffix of its language
+  std::filesystem::path path;  // for a document without a file: its URI with the suffix of its language
   driver::Language language = driver::Language::robot;
   std::int64_t version = 0;
   std::shared_ptr<const Source> source;
@@ -24,19 +24,19 @@ struct OpenDocument {
 
 class Documents {
  public:
-  // Searched for imported documents, after the folder of the document that imports.
+  // Folders that are searched for imported documents, after the folder of the importing document.
   std::vector<std::filesystem::path> import_folders;
 
-  // Documents in other languages are left alone: nullptr.
+  // Returns nullptr for documents in other languages, which are ignored.
   const OpenDocument* open(const std::string& uri, const std::string& language, std::int64_t version, std::string text);
-  // nullptr where it is not open.
+  // Returns nullptr if the document is not open.
   const OpenDocument* change(const std::string& uri, std::int64_t version, std::string text);
   bool close(const std::string& uri);
 
   const OpenDocument* find(const std::string& uri) const;
   const OpenDocument* find(const std::filesystem::path& path) const;
   const std::map<std::string, OpenDocument>& all() const { return documents_; }  // by URI
-  // The editor's URI of an open document, else that of the file.
+  // Returns the editor's URI of an open document, or else the URI of the file.
   std::string uri(const std::filesystem::path& path) const;
 
  private:

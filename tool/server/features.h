@@ -1,5 +1,5 @@
-// Each answers one request of the protocol about a document, which is named in its parameters. Of a document that is
-// not open, or where there is nothing to say, the result is null or an empty list.
+// Each function answers one request of the protocol about a document, which the parameters name. If the document is not
+// open, or there is nothing to report, the result is null or an empty list.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ inline std::string uri_in(const Json& parameters) {
   return parameters.at("textDocument").at("uri").get<std::string>();
 }
 
-// The robot that a document of this path describes, also a URDF; nullopt where it has errors.
+// Returns the robot that the document at this path describes, which may be a URDF; nullopt if it has errors.
 std::optional<model::KinematicTree> tree_of(Workspace& workspace, const std::filesystem::path& path);
 
 Json code_actions(Workspace& workspace, const Json& parameters);
@@ -23,18 +23,18 @@ Json completion(Workspace& workspace, const Json& parameters);
 Json definition(Workspace& workspace, const Json& parameters);
 Json document_symbols(Workspace& workspace, const Json& parameters);
 Json folding_ranges(Workspace& workspace, const Json& parameters);
-// The canonical print; null for a document with errors of syntax.
+// Returns the edits that make the text canonical; null for a document with syntax errors.
 Json formatting(Workspace& workspace, const Json& parameters);
 Json highlights(Workspace& workspace, const Json& parameters);
 Json hover(Workspace& workspace, const Json& parameters);
 Json inlay_hints(Workspace& workspace, const Json& parameters);
 Json prepare_rename(Workspace& workspace, const Json& parameters);
 Json references(Workspace& workspace, const Json& parameters);
-// RequestError for a name that is not valid, or that makes a document wrong.
+// Throws RequestError for a name that is not valid, or that causes an error in a document.
 Json rename(Workspace& workspace, const Json& parameters);
 
 Json semantic_tokens(Workspace& workspace, const Json& parameters);
-// The names of their types, in the order of the numbers.
+// The names of the token types, in the order of their numbers.
 Json semantic_token_types();
 
 }  // namespace robcogen::server

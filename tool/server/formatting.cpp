@@ -1,4 +1,4 @@
-// The canonical print of a document, with its comments.
+// Formats a document: its canonical text, including comments.
 #include "server/features.h"
 #include "server/lookup.h"
 
@@ -13,7 +13,7 @@ std::string canonical_text_of(const Parsed& document) {
   return "";
 }
 
-// With the line ends of the document.
+// Returns the text with the line ends of the document `like`.
 std::string with_line_ends(const std::string& text, std::string_view like) {
   if (like.find("\r\n") == std::string_view::npos) return text;
   std::string result;
@@ -23,7 +23,8 @@ std::string with_line_ends(const std::string& text, std::string_view like) {
 
 }  // namespace
 
-// One change, of the lines that differ. A document with errors of syntax is left alone: its print would lose text.
+// Returns one edit, which covers the lines that differ. A document with syntax errors is not formatted, because its
+// canonical text would lose content.
 Json formatting(Workspace& workspace, const Json& parameters) {
   Lookup lookup(workspace, parameters);
   if (lookup.document == nullptr || lookup.document->has_errors) return nullptr;

@@ -18,7 +18,7 @@ char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-// Names of fields may be written in any case.
+// Field names are case-insensitive.
 std::size_t find_length(std::string_view text, std::size_t from = 0) {
   const auto same = [](char a, char b) { return lower(a) == lower(b); };
   const auto begin = text.begin() + static_cast<std::ptrdiff_t>(std::min(from, text.size()));
@@ -26,7 +26,7 @@ std::size_t find_length(std::string_view text, std::size_t from = 0) {
   return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
 }
 
-// The number behind the field's name; nullopt where there is none, or another text follows it.
+// Returns the number after the field name; nullopt if there is none, or if other text follows it.
 std::optional<std::size_t> length_of(std::string_view header) {
   const std::size_t field = find_length(header);
   if (field == std::string_view::npos || (field > 0 && header[field - 1] != '\n')) return std::nullopt;
@@ -61,11 +61,11 @@ std::optional<Frame> FrameReader::lose(std::size_t used, std::string fault) {
   return Frame{"", std::move(fault)};
 }
 
-// Drops what stands before the next header.
+// Drops the bytes before the next header.
 bool FrameReader::find_header() {
   const std::string_view rest = std::string_view(buffer_).substr(at_);
   const std::size_t found = find_length(rest);
-  // The beginning of the name may be there already.
+  // The buffer may end with the beginning of the field name.
   const std::size_t skipped =
       found != std::string_view::npos ? found : rest.size() - std::min(rest.size(), kLength.size());
   drop(skipped);
@@ -87,7 +87,7 @@ std::optional<Frame> FrameReader::next() {
     }
     const std::optional<std::size_t> length = end <= kMaxHeaderSize ? length_of(rest.substr(0, end + 2)) : std::nullopt;
     if (!length) {
-      // A sound header may follow the broken line without an empty one between.
+      // A valid header may follow the broken line without an empty line in between.
       const std::size_t other = find_length(rest.substr(0, end), 1);
       const std::size_t used = other == std::string_view::npos ? end + kEnd.size() : other;
       if (std::optional<Frame> fault = lose(used, "a header has no valid 'Content-Length'")) return fault;

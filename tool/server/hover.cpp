@@ -1,4 +1,4 @@
-// What a name or a number is, in numbers of the robot at q = 0.
+// Hover texts: what a name or a number means, with values of the robot at q = 0 or where its loops are assembled.
 #include <fmt/format.h>
 
 #include <utility>
@@ -13,7 +13,8 @@
 namespace robcogen::server {
 namespace {
 
-// The robots that may tell about a symbol: that of the document, of the list's, or those that use its part.
+// Returns the robots that may contain a symbol: the robot of the document or of the list, or else the robots that use
+// the document's parts.
 std::vector<model::KinematicTree> trees_for(Workspace& workspace, Lookup& lookup) {
   std::vector<model::KinematicTree> trees;
   const auto add = [&](const std::filesystem::path& path) {
@@ -27,7 +28,7 @@ std::vector<model::KinematicTree> trees_for(Workspace& workspace, Lookup& lookup
   return trees;
 }
 
-// The whole word that holds the place.
+// Returns the whole word at the place.
 std::string word_at_place(const Lookup& lookup) {
   for (const language::Token& token : lookup.document->tokens.tokens)
     if (token.kind == language::Token::Kind::identifier && token.span.begin <= lookup.offset &&
@@ -43,7 +44,7 @@ class NameText {
     motions_ = motions_in((of_list != nullptr ? of_list : lookup.document)->path, workspace.documents());
   }
 
-  // Empty where nothing is known.
+  // Returns the hover text; empty if nothing is known.
   std::string operator()() {
     const std::string word = word_at_place(lookup_);
     for (const model::KinematicTree& tree : trees_)
@@ -75,7 +76,7 @@ class NameText {
     return fmt::format("\n- {} use{} in this document", count, count == 1 ? "" : "s");
   }
 
-  // The word as a name of the whole robot.
+  // Describes the word as a name in the whole robot.
   std::string of_word(const model::KinematicTree& tree, const std::string& word) const {
     const RobotText text(tree);
     const bool is_list = lookup_.document->desired() != nullptr;
@@ -98,7 +99,8 @@ class NameText {
     return "";
   }
 
-  // In a part: its first instance in the robot, and the coordinates of a joint with several.
+  // Describes a name declared in a part, by its first instance in the robot, or the coordinates of a joint with
+  // several.
   std::string of_declaration(const model::KinematicTree& tree) const {
     const RobotText text(tree);
     const Symbol& symbol = lookup_.at_place->symbol;

@@ -13,7 +13,7 @@
 namespace robcogen::server {
 namespace {
 
-// Six digits, and 0 for what is rounding.
+// Prints six digits, and 0 for values that are rounding noise.
 std::string text_of_number(double value) {
   if (std::isnan(value)) return "?";
   return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
@@ -28,7 +28,7 @@ std::string text_of_degrees(const Vector3& radians) {
   return text_of_vector({radians[0] * kDegrees, radians[1] * kDegrees, radians[2] * kDegrees});
 }
 
-// `rotz(swing) trx(slide + 1.5)`, as in a document.
+// Prints a motion as in a document: `rotz(swing) trx(slide + 1.5)`.
 std::string text_of_motion(const model::CoordinateTransform& transform, const model::RigidMotions& motions) {
   std::string text;
   for (const model::PrimitiveTransform& p : transform.primitives) {
@@ -53,7 +53,7 @@ std::string RobotText::link(int l) const {
   const model::Link& link = tree_.links[static_cast<std::size_t>(l)];
   std::string text = fmt::format("**link** `{}`", link.name);
   if (link.parent_joint >= 0) {
-    // Between the components of a spherical joint its child is repeated.
+    // The child of a spherical joint is repeated between its components.
     int parent = link.parent_joint;
     while (tree_.links[static_cast<std::size_t>(tree_.joints[static_cast<std::size_t>(parent)].parent)].is_repeated)
       parent = tree_.parent_joint_of(parent);

@@ -7,7 +7,7 @@
 
 namespace robcogen::server {
 
-// In numbers of the robot at q = 0, or where its loops are assembled.
+// Texts with values of the robot at q = 0, or where its loops are assembled.
 class RobotText {
  public:
   explicit RobotText(const model::KinematicTree& tree) : tree_(tree), resting_(tree) {}
@@ -21,13 +21,13 @@ class RobotText {
   const model::KinematicTree& tree_;
   RestingRobot resting_;
 
-  // `in the base at q = 0`, of places and directions.
+  // The reference of places and directions, such as `in the base at q = 0`.
   std::string in_base() const;
   std::string unknown_parameters() const;
 };
 
-// Of a frame that motions name: its pose in the first one that it is connected with, where variables are zero, and the
-// motion from there. Empty for another name.
+// Describes a frame of rigid motions: its pose in the first frame that it is connected to, with all variables at zero,
+// and the motion from there. Empty for an unknown name.
 std::string text_of_frame(const model::RigidMotions& motions, const std::string& frame);
 
 std::string text_of(const model::Parameter& parameter);

@@ -1,4 +1,4 @@
-// Hints between the words: degrees behind angles in radians, the mass behind `children {` that a link carries.
+// Inlay hints: degrees after angles in radians, and the mass that a link carries after its `children {`.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace robcogen::server {
 namespace {
 
-// Behind the brace of the `children` of each link: offset by name of the link.
+// Returns the offset after the brace of `children`, by the name of the link.
 std::map<std::string, std::size_t> children_of_links(const Parsed& document) {
   std::map<std::string, std::size_t> places;
   const auto& tokens = document.tokens.tokens;

@@ -8,12 +8,12 @@ namespace robcogen::server {
 
 using Json = nlohmann::json;
 
-// The text of a value on one line. Bytes that are not UTF-8 become U+FFFD.
+// Returns the text of a value on one line. Bytes that are not UTF-8 become U+FFFD.
 inline std::string text_of(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// The member of an object, or null.
+// Returns the member of an object, or null.
 inline const Json& member(const Json& object, const char* name) {
   static const Json null;
   if (!object.is_object()) return null;

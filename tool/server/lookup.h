@@ -1,4 +1,4 @@
-// A request about a place in a document: the document, its names, and the one at the place.
+// A request about a place in a document: the document, its names, and the name at the place.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace robcogen::server {
 
 class Lookup {
  public:
-  // Of the document that the parameters name. Without one that is open, all is empty.
+  // Looks up the document that the parameters name. If it is not open, all fields are empty.
   Lookup(Workspace& workspace, const Json& parameters);
   Lookup(const Lookup&) = delete;
   Lookup& operator=(const Lookup&) = delete;
@@ -23,14 +23,15 @@ class Lookup {
   PositionCache positions;
   std::vector<Occurrence> occurrences;
 
-  // At the `position` of the parameters.
+  // The place at the `position` of the parameters.
   std::size_t offset = 0;
   const Occurrence* at_place = nullptr;
 
   const Positions& here() { return positions(document->source); }
   Json location(const Parsed& in, const Span& span);
 
-  // A place of the symbol in any document: open ones, those of the workspace's folders, and those beside the document.
+  // An occurrence of the symbol in any document: open ones, those in the workspace folders, and those in the same
+  // folder as the document.
   struct Found {
     const Parsed* document;
     Occurrence occurrence;

@@ -62,7 +62,7 @@ std::size_t index(int i) {
 Vector3 angles_of(const Pose& pose) {
   const Rows& r = pose.rotation;
   const double y = std::asin(std::fmin(1.0, std::fmax(-1.0, r[0][2])));
-  // At the poles x and z turn about one axis: all of it is x.
+  // At the poles, x and z turn about the same axis; the angle is assigned to x.
   if (std::hypot(r[0][0], r[0][1]) < 1e-9) return {std::atan2(r[2][1], r[1][1]), y, 0.0};
   return {std::atan2(-r[1][2], r[2][2]), y, std::atan2(-r[0][1], r[0][0])};
 }

@@ -17,7 +17,7 @@ Symbol symbol_in(const Scope& scope, NameKind kind, std::string_view name) {
   return {scope.document->path, scope.name(), kind, std::string(name)};
 }
 
-// The pieces behind the first `count` characters.
+// Moves the pieces behind the first `count` characters.
 std::vector<Names::Piece> moved(std::vector<Names::Piece> pieces, std::size_t count) {
   for (Names::Piece& piece : pieces) piece.span = {piece.span.begin + count, piece.span.end + count};
   return pieces;
@@ -126,7 +126,7 @@ std::vector<Names::Piece> Names::element(const Scope& scope, std::string_view na
   const Elements& known = elements(scope);
   if (known.links.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::link, name)}};
   if (known.joints.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::joint, name)}};
-  // A coordinate of a joint with several, and the link without mass behind it.
+  // A coordinate of a joint with several coordinates, or the massless link after it.
   for (const auto& [joint, declared] : known.joints) {
     if (declared == nullptr) break;  // URDFs have joints with one coordinate only
     if (name.size() <= joint.size() + 1 || !name.starts_with(joint) || name[joint.size()] != '_') continue;
@@ -141,7 +141,7 @@ std::vector<Names::Piece> Names::element(const Scope& scope, std::string_view na
 
 std::vector<Names::Piece> Names::frame(const Scope& scope, std::string_view name, std::size_t depth) {
   if (elements(scope).frames.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::frame, name)}};
-  // A link that a fixed joint carries is a frame of its own name.
+  // In a URDF, a link on a fixed joint is a frame of its own name.
   if (scope.document->urdf() != nullptr && elements(scope).links.contains(name)) return element(scope, name, depth);
   if (name.starts_with(kFrame)) {
     const std::string_view rest = name.substr(kFrame.size());

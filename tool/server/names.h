@@ -1,5 +1,5 @@
-// Where the names of a document stand, and what each stands for, also across documents: frames of a list of desired
-// transforms are those of its robot, and `left_foot` is the frame `foot` of the part that is attached as `left`.
+// Where the names of a document occur, and what each refers to, including across documents: frames in a list of desired
+// transforms are frames of its robot, and `left_foot` is the frame `foot` of the part that is attached as `left`.
 #pragma once
 
 #include <compare>
@@ -18,9 +18,9 @@ enum class NameKind { robot, part, instance, link, joint, loop, frame, parameter
 
 std::string describe(NameKind kind);
 
-// What a name stands for.
+// What a name refers to.
 struct Symbol {
-  std::filesystem::path document;  // that declares it
+  std::filesystem::path document;  // the document that declares it
   std::string scope;               // the part, or the group of a parameter; empty for the document itself
   NameKind kind = NameKind::link;
   std::string name;
@@ -28,7 +28,7 @@ struct Symbol {
   auto operator<=>(const Symbol&) const = default;
 };
 
-// A place of a name: a word, or a piece of one.
+// An occurrence of a name: a word, or a piece of one.
 struct Occurrence {
   Span span;
   Symbol symbol;
@@ -37,10 +37,10 @@ struct Occurrence {
 
 // A robot or a part.
 struct Scope {
-  const Parsed* document = nullptr;                  // of robots or parts, or a URDF
-  const language::kinematics::Part* part = nullptr;  // none: the robot
+  const Parsed* document = nullptr;                  // with robots or parts, or a URDF
+  const language::kinematics::Part* part = nullptr;  // nullptr: the robot
 
-  // Not of a URDF.
+  // Must not be called for a URDF.
   const language::kinematics::Body& body() const {
     return part != nullptr ? static_cast<const language::kinematics::Body&>(*part) : *document->robot();
   }
@@ -51,12 +51,13 @@ class Names {
  public:
   Names(ParsedDocuments& documents, RobotFinder& robots) : documents_(documents), robots_(robots) {}
 
-  // Those of the document, in the order of the text. A word of several pieces has an occurrence for each.
+  // Returns the occurrences in the document, in the order of the text. A word with several pieces has an occurrence for
+  // each.
   std::vector<Occurrence> occurrences(const Parsed& document);
-  // The document that a list is about.
+  // The document of the robot or model that a list is about.
   const Parsed* model_of(const Parsed& list);
 
-  // A piece of a name from its beginning, and what it stands for.
+  // A piece of a name, as a span from the beginning of the name, and what it refers to.
   struct Piece {
     Span span;
     Symbol symbol;
@@ -65,7 +66,7 @@ class Names {
   // Empty for a name that it does not have.
   std::vector<Piece> element(const Scope& scope, std::string_view name, std::size_t depth = 0);
   std::vector<Piece> frame(const Scope& scope, std::string_view name, std::size_t depth = 0);
-  // A part, or a robot as a part, by the name that a document knows it by.
+  // Finds a part, or a robot used as a part, by the name under which a document knows it.
   std::optional<Scope> part(const Parsed& document, const std::string& name);
   // The part that is attached as this instance.
   std::optional<Scope> instance(const Scope& scope, const std::string& name);
@@ -87,7 +88,8 @@ class Names {
   std::vector<Piece> in_instances(const Scope& scope, std::string_view name, bool is_frame, std::size_t depth);
 };
 
-// That ends last before the place, or holds it: an editor's cursor may be behind a name. nullptr where there is none.
+// Returns the occurrence that contains the offset or ends at it, because the cursor of an editor may be behind a name;
+// nullptr if there is none.
 const Occurrence* occurrence_at(const std::vector<Occurrence>& occurrences, std::size_t offset);
 
 }  // namespace robcogen::server

@@ -5,7 +5,7 @@
 namespace robcogen::server {
 namespace {
 
-// The file between the quotes of an import at the place.
+// Returns the document that an import at the place names.
 const Parsed* import_at(Lookup& lookup) {
   if (lookup.document == nullptr || lookup.document->robot() == nullptr) return nullptr;
   for (const auto& import : lookup.document->robot()->imports)
@@ -14,7 +14,7 @@ const Parsed* import_at(Lookup& lookup) {
   return nullptr;
 }
 
-// What a list names in a robot that is not a document of ours: a URDF.
+// Finds the place of a frame that a list names in a robot that is not one of our documents, such as a URDF.
 Json place_in_model(Workspace& workspace, Lookup& lookup) {
   if (lookup.document == nullptr || lookup.document->desired() == nullptr) return Json::array();
   const Parsed* robot = lookup.names.model_of(*lookup.document);
@@ -51,7 +51,7 @@ Json definition(Workspace& workspace, const Json& parameters) {
   const std::vector<Occurrence> occurrences = lookup.names.occurrences(*declares);
   for (const Occurrence& o : occurrences)
     if (o.symbol == symbol && o.is_declaration) result.push_back(lookup.location(*declares, o.span));
-  // A parameter of a robot needs no declaration: its first use will do.
+  // A parameter of a robot needs no declaration; its first use serves as one.
   for (const Occurrence& o : occurrences)
     if (o.symbol == symbol && result.empty()) result.push_back(lookup.location(*declares, o.span));
   return result;

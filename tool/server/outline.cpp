@@ -1,4 +1,4 @@
-// The outline of a document, and what can be folded. The outline of a robot is its kinematic tree.
+// The outline of a document, and its foldable ranges. The outline of a robot is its kinematic tree.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 namespace kinematics = language::kinematics;
 
-// Kinds of symbols of the protocol.
+// Symbol kinds of the protocol.
 constexpr int kModule = 2, kNamespace = 3, kClass = 5, kMethod = 6, kProperty = 7, kObject = 19, kKey = 20;
 
 constexpr int kMaxDepth = 200;  // of links, nested
@@ -52,9 +52,9 @@ class Outline {
  private:
   const Parsed& document_;
   const Positions& positions_;
-  std::set<std::string> seen_;  // links that the outline has: a document that is wrong may have circles
+  std::set<std::string> seen_;  // links that are in the outline already: an invalid document may contain cycles
 
-  // From the word that begins the element to the brace that closes it.
+  // Returns the span from the word that begins the element to its closing brace.
   Span block(const Span& name) const {
     const auto& tokens = document_.tokens.tokens;
     auto token = std::lower_bound(
@@ -82,7 +82,7 @@ class Outline {
     return links;
   }
 
-  // What the tree does not reach, while a document is being written.
+  // Adds links that the tree does not reach, as happens while a document is being written.
   void add_rest(const kinematics::Body& body, Json& links) {
     for (const kinematics::Link& link : body.links)
       if (!seen_.contains(link.name.text)) links.push_back(this->link(body, link, nullptr));
@@ -95,7 +95,7 @@ class Outline {
           loop.name.span));
   }
 
-  // Links that are deeper are listed beside the tree.
+  // Links nested too deeply are listed next to the tree.
   Json link(const kinematics::Body& body, const kinematics::Link& link, const kinematics::Name* joint, int depth = 0) {
     seen_.insert(link.name.text);
     Json children = Json::array();
@@ -115,7 +115,7 @@ class Outline {
   }
 };
 
-// The links that no joint moves, and the trees that hang on them.
+// The outline of a URDF: the links that no joint moves, and the trees that they carry.
 class UrdfOutline {
  public:
   UrdfOutline(const UrdfNames& urdf, const Outline& outline) : urdf_(urdf), outline_(outline) {

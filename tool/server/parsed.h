@@ -1,4 +1,4 @@
-// Documents as their parsers read them, sound or not: what requests about names look at.
+// Documents as their parsers read them, valid or not. Requests about names use these.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct Parsed {
   std::filesystem::path path;
   driver::Language language = driver::Language::robot;
   std::shared_ptr<const Source> source;
-  // None: MJCF, or no text.
+  // monostate: MJCF, or not a text.
   std::variant<
       std::monostate,
       UrdfNames,
@@ -32,7 +32,7 @@ struct Parsed {
       language::transforms::Document>
       document;
   language::TokenList tokens;
-  bool has_errors = false;  // of syntax: the document may be incomplete
+  bool has_errors = false;  // syntax errors: the document may be incomplete
 
   const language::kinematics::Document* robot() const { return std::get_if<language::kinematics::Document>(&document); }
   const UrdfNames* urdf() const { return std::get_if<UrdfNames>(&document); }
@@ -45,14 +45,14 @@ struct Parsed {
 
 Parsed parsed(const OpenDocument& document);
 
-// Open documents as they were parsed last: an editor asks many questions about one text.
+// The last parse of each open document: an editor sends many requests about one text.
 using ParsedTexts = std::map<std::filesystem::path, std::shared_ptr<const Parsed>>;
 
-// Parses each document once: open ones, and those in files.
+// Parses each document once, whether it is open or in a file.
 class ParsedDocuments {
  public:
   ParsedDocuments(const Documents& documents, ParsedTexts& texts) : documents_(documents), texts_(texts) {}
-  // nullptr where there is no such file, or none of our languages.
+  // Returns nullptr if there is no such file, or if it is not in one of our languages.
   const Parsed* operator()(const std::filesystem::path& path);
   // The document that an import names.
   const Parsed* imported(const Parsed& from, const language::kinematics::Import& import);

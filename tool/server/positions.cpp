@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // bytes
 
-// Code units that begin at this byte of UTF-8. A byte that does not belong to a character is one.
+// Returns the number of code units that begin at this byte of UTF-8. A byte that does not belong to a character counts
+// as one unit.
 std::size_t units_at(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (byte >= 0xF0) return 2;
@@ -62,7 +63,7 @@ std::size_t Positions::offset(const Position& position) const {
   const std::size_t begin = line_starts_[position.line], end = line_end(position.line);
   if (units_.empty()) return begin + std::min(position.character, end - begin);
   const std::size_t wanted = units_before(begin) + position.character;
-  // The last block that begins no later.
+  // The last block that does not begin after the wanted unit.
   const auto next = std::upper_bound(units_.begin(), units_.end(), wanted);
   const auto block = static_cast<std::size_t>(next - units_.begin()) - 1;
   std::size_t at = std::max(begin, block * kBlock);

@@ -1,4 +1,4 @@
-// Positions of the protocol: lines and characters from 0, of a text whose places are byte offsets.
+// Positions in the protocol, which are lines and characters counted from 0, of a text whose places are byte offsets.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace robcogen::server {
 
-// What a character is: a byte, or a UTF-16 code unit, of which characters beyond U+FFFF have two.
+// The unit of a character: a byte, or a UTF-16 code unit, of which characters beyond U+FFFF have two.
 enum class PositionEncoding { utf8, utf16 };
 
 struct Position {
@@ -28,23 +28,24 @@ class Positions {
   std::string_view text() const { return source_->text(); }
 
   Position position(std::size_t offset) const;
-  // A character beyond the end of its line is that end; a line beyond the last one is the end of the text.
+  // A character beyond the end of its line refers to that end; a line beyond the last one refers to the end of the
+  // text.
   std::size_t offset(const Position& position) const;
   std::size_t line_count() const { return line_starts_.size(); }
-  std::size_t line_end(std::size_t line) const;  // before what ends it
+  std::size_t line_end(std::size_t line) const;  // before the line end characters
 
   Json json(std::size_t offset) const;
   Json json(const Span& span) const;
-  // What an editor underlines: as on the command line, no more than a line, and no less than a character of it.
+  // The range that an editor underlines: as on the command line, at most one line and at least one character.
   Json underlined(const Span& span) const;
-  // Of a value of the protocol; an exception of the JSON library when it is none.
+  // Reads a value of the protocol. Throws an exception of the JSON library if it is malformed.
   std::size_t offset(const Json& position) const;
   Span span(const Json& range) const;
 
  private:
   std::shared_ptr<const Source> source_;
   std::vector<std::size_t> line_starts_;
-  std::vector<std::size_t> units_;  // before each block of bytes; empty where each byte is a unit
+  std::vector<std::size_t> units_;  // units before each block of bytes; empty if each byte is a unit
 
   std::size_t units_before(std::size_t offset) const;
 };

@@ -12,7 +12,7 @@
 
 namespace robcogen::server {
 
-// The positions of the texts of one answer, each counted once.
+// The positions of the texts in one answer, each computed once.
 class PositionCache {
  public:
   explicit PositionCache(PositionEncoding encoding) : encoding_(encoding) {}
@@ -24,18 +24,18 @@ class PositionCache {
   std::map<std::shared_ptr<const Source>, Positions> known_;
 };
 
-// Who uses the text that holds the place, such as an instance of a part, and who uses that, outwards.
+// Returns the users of the text at the place, such as an instance of a part, then the users of those, outwards.
 std::vector<Note> users_of(Place place);
 
-// A value `Diagnostic` of the protocol. A diagnostic without a place is at the beginning of the document.
+// Returns a `Diagnostic` value of the protocol. A diagnostic without a place is put at the beginning of the document.
 Json published_diagnostic(
     const Diagnostic& d,
     const OpenDocument& document,
     const Documents& documents,
     PositionCache& positions);
 
-// Values `Diagnostic` of the protocol by the path of the document that they are in. No more than 1,000 of a document;
-// the last one then counts the rest.
+// Returns `Diagnostic` values of the protocol by the path of the document that they are in, at most 1,000 per document;
+// if there are more, the last one tells the total.
 std::map<std::filesystem::path, Json> published(
     const Diagnostics& diagnostics,
     const OpenDocument& document,

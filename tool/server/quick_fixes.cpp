@@ -16,7 +16,7 @@ namespace {
 
 using language::Token;
 
-// The text between the first quotes behind `before`; empty where there is none.
+// Returns the text between the first quotes after `before`; empty if there is none.
 std::string quoted_after(const std::string& text, std::string_view before) {
   const std::size_t begin = text.find(before);
   if (begin == std::string::npos) return "";
@@ -25,7 +25,7 @@ std::string quoted_after(const std::string& text, std::string_view before) {
   return close == std::string::npos ? "" : text.substr(open, close - open);
 }
 
-// All texts in quotes.
+// Returns all texts in quotes.
 std::vector<std::string> quoted_in(const std::string& text) {
   std::vector<std::string> result;
   for (std::size_t open = text.find('\''); open != std::string::npos;) {
@@ -37,7 +37,7 @@ std::vector<std::string> quoted_in(const std::string& text) {
   return result;
 }
 
-// The word that a place begins with or that begins before its end, `Group.name` up to its end.
+// Returns the word at the beginning of a place, without a leading '^' or quote.
 std::optional<Span> word_at(const Place& place) {
   const std::string_view text = place.source->text();
   std::size_t begin = place.span.begin;
@@ -60,12 +60,12 @@ void add_replacements(const Diagnostic& d, const Place& place, std::vector<Quick
     fixes.push_back({fmt::format("Write '^{}': the name is meant", escaped), {{{word->begin, word->begin}, "^"}}});
 }
 
-// The line break of a text, for changes.
+// The line break to use in changes of a text.
 std::string line_break(std::string_view text) {
   return text.find("\r\n") != std::string_view::npos ? "\r\n" : "\n";
 }
 
-// The blanks before the line that holds the offset.
+// Returns the indentation of the line that contains the offset.
 std::string indent_of(std::string_view text, std::size_t offset) {
   std::size_t begin = offset;
   while (begin > 0 && text[begin - 1] != '\n' && text[begin - 1] != '\r') --begin;
@@ -81,7 +81,7 @@ std::string with_line_breaks(std::string text, std::string_view line_break) {
   return text;
 }
 
-// The largest number behind the keyword `id`, and one.
+// Returns one more than the largest number after the keyword `id`.
 std::size_t next_id(const std::vector<Token>& tokens) {
   std::size_t next = 1;
   for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
@@ -92,7 +92,7 @@ std::size_t next_id(const std::vector<Token>& tokens) {
   return next;
 }
 
-// Before the brace that closes the outermost block around the offset.
+// Returns the offset of the brace that closes the outermost block around the offset.
 std::optional<std::size_t> end_of_body(const std::vector<Token>& tokens, std::size_t offset) {
   int open = 0;
   for (const Token& token : tokens) {
@@ -125,7 +125,7 @@ void add_declaration(const Diagnostic& d, const Place& place, std::vector<QuickF
        {{{*end, *end}, with_line_breaks((begins_line ? "" : "\n") + declared, line_break(text))}}});
 }
 
-// What stands for an item until somebody writes it.
+// The text that stands for an item until the user writes it.
 std::string placeholder(const std::string& item, std::size_t id) {
   static const std::map<std::string, std::string> known = {
       {"children", "children {}"},
@@ -139,7 +139,7 @@ std::string placeholder(const std::string& item, std::size_t id) {
   return found != known.end() ? found->second : item + " = 0.0";
 }
 
-// `the document has no 'Frames { … }'`.
+// Fixes `the document has no 'Frames { … }'`.
 void add_missing_lists(const Diagnostic& d, const Place& place, std::vector<QuickFix>& fixes) {
   const std::string_view text = place.source->text();
   for (const std::string& list : quoted_in(d.message)) {
@@ -151,7 +151,7 @@ void add_missing_lists(const Diagnostic& d, const Place& place, std::vector<Quic
   }
 }
 
-// `link 'a' has no 'id', 'children'`: behind the brace that opens the block.
+// Fixes `link 'a' has no 'id', 'children'`: inserts the items after the brace that opens the block.
 void add_missing_items(const Diagnostic& d, const Place& place, std::vector<QuickFix>& fixes) {
   const std::size_t words = d.message.rfind(" has no ");
   if (words == std::string::npos) return;

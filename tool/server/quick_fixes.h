@@ -1,4 +1,4 @@
-// What a diagnostic proposes, as changes of the text.
+// Fixes that a diagnostic suggests, as changes of the text.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct TextChange {
 
 struct QuickFix {
   std::string title;
-  std::vector<TextChange> changes;  // of the text that the diagnostic is in
+  std::vector<TextChange> changes;  // in the text of the diagnostic
 };
 
-// `did you mean 'x'?` and `write '^x'` as replacements; declarations of missing links and joints; missing items; the
-// corrections of text_fixes.h.
+// Offers `did you mean 'x'?` and `write '^x'` as replacements, declarations of missing links and joints, missing items,
+// and the corrections of text_fixes.h.
 std::vector<QuickFix> quick_fixes(const Diagnostic& diagnostic);
 
 }  // namespace robcogen::server

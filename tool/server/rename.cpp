@@ -1,4 +1,4 @@
-// A new name for an element, everywhere: also in lists of desired transforms, in parts and in what names their
+// Renames an element everywhere, including in lists of desired transforms, in parts, and in names that refer to their
 // instances.
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ bool is_identifier(const std::string& name) {
          !language::is_digit(name[0]);
 }
 
-// The text with another word at these places, which are in order.
+// Returns the text with another word at these places, which are in order.
 std::string with_word(std::string_view text, const std::vector<Span>& places, const std::string& word) {
   std::string result;
   std::size_t at = 0;
@@ -39,13 +39,13 @@ std::string with_word(std::string_view text, const std::vector<Span>& places, co
 
 using Places = std::map<const Parsed*, std::vector<Span>>;
 
-using Counts = std::map<std::string, int>;  // of messages, by code
+using Counts = std::map<std::string, int>;  // number of messages, by code
 
 void add(const Analysis& analysis, Counts& counts) {
   for (const Diagnostic& d : analysis.diagnostics.all()) ++counts[d.code];
 }
 
-// Of the documents that are to change, as they are.
+// Counts the messages of the documents that are to change, as they are.
 Counts messages(Workspace& workspace, const Places& places) {
   Counts counts;
   for (const auto& [parsed, spans] : places) {
@@ -63,7 +63,7 @@ Counts messages(Workspace& workspace, const Places& places) {
   return counts;
 }
 
-// Of the same with the new name.
+// Counts the messages of the same documents with the new name.
 Counts messages(Workspace& workspace, const Places& places, const std::string& name) {
   Documents changed = workspace.documents();
   for (const auto& [parsed, spans] : places)
@@ -76,11 +76,11 @@ Counts messages(Workspace& workspace, const Places& places, const std::string& n
   return counts;
 }
 
-// Refuses a name that makes a document worse: it may be taken.
+// Refuses a name that adds messages to a document: it may be taken.
 void require_no_harm(Workspace& workspace, const Places& places, const std::string& name) {
   Counts counts = messages(workspace, places, name);
   for (const auto& [code, count] : messages(workspace, places)) counts[code] -= count;
-  // A name used once may be like another one: that is a matter of taste.
+  // A new name may resemble another name; that is the user's choice.
   counts.erase("similar-name");
   for (const auto& [code, count] : counts)
     if (count > 0) refuse(fmt::format("with the name '{}' a document would be wrong ({}): is it taken?", name, code));

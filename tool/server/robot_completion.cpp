@@ -54,7 +54,7 @@ class RobotCompletion {
   CompletionItems& items_;
 
   void links() {
-    // Those without a parent first: one of them is meant.
+    // Links without a parent come first, because one of them is probably meant.
     for (const bool is_carried : {false, true})
       for (const std::string& link : declared_.links)
         if (declared_.carried.contains(link) == is_carried)
@@ -101,7 +101,7 @@ class RobotCompletion {
     parts();
   }
 
-  // `mirrored y same sense { HAA }` of the part that stands before.
+  // Adds the joints of the part that is attached by the statement: `mirrored y same sense { HAA }`.
   void joints_of_part() {
     const auto& tokens = lookup_.document->tokens;
     const auto& parts = lookup_.names.known_parts(*lookup_.document);

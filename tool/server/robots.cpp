@@ -17,7 +17,7 @@ using driver::Language;
 constexpr std::size_t kMaxEntries = 20000;
 constexpr std::array kSuffixes = {".kindsl", ".urdf", ".motdsl", ".ctdsl"};
 
-// The value of the first attribute `name` of the element `robot`.
+// Returns the value of the first attribute `name` of the element `robot`.
 std::string name_in_urdf(std::string_view text) {
   const std::size_t robot = text.find("<robot");
   if (robot == std::string_view::npos) return "";
@@ -124,7 +124,7 @@ std::optional<fs::path> RobotFinder::find_by_name(const OpenDocument& list, cons
   for (const fs::path& path : known)
     if (path.parent_path() == list.path.parent_path()) return path;
   if (known.size() == 1) return *known.begin();
-  // Of several the one that is open with the list.
+  // Of several documents, take the one that is open together with the list.
   const bool is_open = documents_.find(list.path) != nullptr;
   return is_open && open.size() == 1 ? std::optional(*open.begin()) : std::nullopt;
 }

@@ -13,8 +13,8 @@ namespace robcogen::server {
 using ReadBytes = std::function<std::size_t(char* bytes, std::size_t size)>;
 using WriteBytes = std::function<void(std::string_view bytes)>;
 
-// Answers until `exit` or the end of the stream. Returns whether the editor ended the session as the protocol demands:
-// by `shutdown` first. `import_folders` are searched for imported documents.
+// Answers requests until `exit` or the end of the stream. Returns whether the editor ended the session as the protocol
+// demands: with `shutdown` first. `import_folders` are searched for imported documents.
 bool serve(
     const ReadBytes& read,
     const WriteBytes& write,

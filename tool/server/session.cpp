@@ -12,7 +12,7 @@
 namespace robcogen::server {
 namespace {
 
-// The settings of ours among those of an editor.
+// The section of our settings among the settings of an editor.
 constexpr const char* kSection = "robcogen";
 
 // The id of a request to the editor.
@@ -39,7 +39,7 @@ std::vector<std::filesystem::path> folders_of(const Json& parameters) {
   return folders;
 }
 
-// Of the setting `importFolders`; relative ones are those of each folder of the workspace.
+// Returns the folders of the setting `importFolders`; a relative folder is relative to each workspace folder.
 std::vector<std::filesystem::path> import_folders_of(
     const Json& settings,
     const std::vector<std::filesystem::path>& workspace_folders) {
@@ -55,7 +55,7 @@ std::vector<std::filesystem::path> import_folders_of(
   return folders;
 }
 
-// utf-8 where the editor offers it: no counting.
+// Uses utf-8 if the editor offers it, because it needs no counting.
 PositionEncoding encoding_of(const Json& parameters) {
   const Json& offered = member(member(member(parameters, "capabilities"), "general"), "positionEncodings");
   for (const Json& name : offered.is_array() ? offered : Json::array())
@@ -63,7 +63,7 @@ PositionEncoding encoding_of(const Json& parameters) {
   return PositionEncoding::utf16;
 }
 
-// The text after the changes: the whole one, or one of a range.
+// Returns the text after the changes, each of which replaces the whole text or a range.
 std::string changed(const OpenDocument& document, const Json& changes, PositionEncoding encoding) {
   std::string text(document.source->text());
   for (const Json& change : changes) {
@@ -99,7 +99,7 @@ void Session::set_folders() {
   workspace_.documents().import_folders = std::move(folders);
 }
 
-// Editors send their settings as they are or below the name of the server; some send others' settings, or none.
+// Editors send their settings directly or under the name of the server; some send settings of other servers, or none.
 std::vector<Json> Session::change_settings(const Json& settings) {
   const Json& named = member(settings, kSection);
   const Json& ours = named.is_object() ? named : settings;
@@ -119,7 +119,7 @@ std::vector<Json> Session::ask_settings() {
        {"params", {{"items", {{{"section", kSection}}}}}}}};
 }
 
-// To an earlier question the editor says what no longer holds.
+// Answers to earlier questions are outdated and are ignored.
 std::vector<Json> Session::answered(const Json& id, const Json& result) {
   const bool is_last = questions_ > 0 && id == question(questions_);
   return is_last && result.is_array() && !result.empty() ? change_settings(result.front()) : std::vector<Json>();
@@ -179,7 +179,7 @@ std::vector<Json> Session::change(const Json& parameters) {
   return workspace_.publish(uri);
 }
 
-// Those that are not known are left alone, as the protocol demands.
+// Unknown notifications are ignored, as the protocol demands.
 std::vector<Json> Session::notice(const std::string& method, const Json& parameters) {
   if (method == "exit") {
     is_over_ = true;

@@ -12,7 +12,7 @@
 
 namespace robcogen::server {
 
-// Codes of errors that the protocol defines.
+// Error codes of the protocol.
 enum class ErrorCode {
   parse_error = -32700,
   invalid_request = -32600,
@@ -23,7 +23,7 @@ enum class ErrorCode {
   request_failed = -32803,
 };
 
-// Thrown by the answer to a request that cannot be given.
+// Thrown if a request cannot be answered.
 struct RequestError {
   ErrorCode code;
   std::string message;
@@ -31,15 +31,15 @@ struct RequestError {
 
 class Session {
  public:
-  // `import_folders`: searched for imported documents, before those that the editor names.
+  // `import_folders` are searched for imported documents before those that the editor names.
   explicit Session(const std::vector<std::filesystem::path>& import_folders = {});
 
-  // The messages that answer the content of a frame. `is_message`: whether it was a message at all.
+  // Returns the messages that answer the content of a frame. `is_message` is set to whether it was a message at all.
   std::vector<Json> receive(std::string_view content, bool& is_message);
-  // The answer to a broken header.
+  // Returns the answer to a broken header.
   static Json fault(const std::string& what);
 
-  // After `exit`; without `shutdown` before it, the status of the process is 1.
+  // True after `exit`. If there was no `shutdown` before it, the exit status of the process is 1.
   bool is_over() const { return is_over_; }
   bool was_shut_down() const { return state_ == State::shut_down; }
 
@@ -48,11 +48,11 @@ class Session {
   State state_ = State::starting;
   bool is_over_ = false;
   Workspace workspace_;
-  std::vector<std::filesystem::path> import_folders_;     // of the command line
-  std::vector<std::filesystem::path> workspace_folders_;  // that the editor has open
-  Json settings_;                                         // the last ones that name folders of imports
-  bool gives_settings_ = false;                           // the editor does, when it is asked
-  int questions_ = 0;                                     // that it was asked; the last one counts
+  std::vector<std::filesystem::path> import_folders_;     // from the command line
+  std::vector<std::filesystem::path> workspace_folders_;  // open in the editor
+  Json settings_;                                         // last settings that name import folders
+  bool gives_settings_ = false;                           // whether the editor can be asked for its settings
+  int questions_ = 0;                                     // number of such requests; the last one counts
 
   std::vector<Json> handle(const Json& message);
   Json answer(const std::string& method, const Json& parameters);

@@ -28,7 +28,7 @@ std::vector<Token> tokens_of(const std::shared_ptr<const Source>& source) {
   return language::tokenize(source, ignored).tokens;
 }
 
-// The text in quotes behind the first `before`.
+// Returns the text that follows the first `before`, up to the next quote.
 std::string quoted(const std::string& text, std::string_view before) {
   const std::size_t begin = text.find(before);
   if (begin == std::string::npos) return "";
@@ -58,14 +58,14 @@ void add_degrees(const Place& place, std::vector<QuickFix>& fixes) {
   fixes.push_back({fmt::format("Write '{}': degrees", degrees), {{place.span, degrees}}});
 }
 
-// The number behind the word `id` at the offset.
+// Returns the number after the word `id` at the offset.
 std::optional<Span> number_of_id(const std::vector<Token>& tokens, std::size_t offset) {
   for (std::size_t i = 0; i + 2 < tokens.size(); ++i)
     if (tokens[i].span.begin == offset && tokens[i + 2].kind == Token::Kind::number) return tokens[i + 2].span;
   return std::nullopt;
 }
 
-// From the base outwards, in the order of the children, then what hangs nowhere.
+// Returns the links from the base outwards, in the order of the children, followed by links without a parent.
 std::vector<const kinematics::Link*> from_base(const kinematics::Body& body) {
   std::map<std::string_view, const kinematics::Link*> left;
   for (const kinematics::Link& link : body.links) left.insert({link.name.text, &link});
@@ -97,11 +97,11 @@ void add_ids(const Place& place, std::vector<QuickFix>& fixes) {
   if (!fix.changes.empty()) fixes.push_back(std::move(fix));
 }
 
-// `translation : (…)  rotation : (…)` in a joint is `ref_frame { translation = (…)  rotation = (…) }`.
+// Turns `translation : (…)  rotation : (…)` in a joint into `ref_frame { translation = (…)  rotation = (…) }`.
 void add_present_dialect(const Place& place, std::vector<QuickFix>& fixes) {
   const std::vector<Token> tokens = tokens_of(place.source);
   QuickFix fix = {"Write the placements of this dialect", {}};
-  std::vector<std::size_t> open;  // tokens that open the blocks around
+  std::vector<std::size_t> open;  // tokens that open the enclosing blocks
   bool is_begun = false;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].text == "{") open.push_back(i);
@@ -114,7 +114,7 @@ void add_present_dialect(const Place& place, std::vector<QuickFix>& fixes) {
     if (!in_joint) continue;
     const std::size_t begin = tokens[i].span.begin;
     const bool begins = tokens[i].text == "translation";
-    if (begins == is_begun) return;  // not the two in this order
+    if (begins == is_begun) return;  // not these two in this order
     if (begins) fix.changes.push_back({{begin, begin}, "ref_frame { "});
     std::size_t end = i;
     while (end < tokens.size() && tokens[end].text != ")" && tokens[end].text != "}") ++end;
@@ -127,7 +127,7 @@ void add_present_dialect(const Place& place, std::vector<QuickFix>& fixes) {
   if (!fix.changes.empty()) fixes.push_back(std::move(fix));
 }
 
-// The value of a constant expression.
+// Returns the value of a constant expression.
 class Constants {
  public:
   explicit Constants(const std::shared_ptr<const Source>& source) : reader_(source, ignored_) {}
@@ -144,7 +144,7 @@ class Constants {
   import::QuantityReader reader_;
 };
 
-// The moments about the origin, by Steiner's theorem, of an inertia whose moments are about the centre of mass.
+// Computes the moments about the origin by Steiner's theorem, from moments that are about the centre of mass.
 void add_moments_about_origin(const Place& place, std::vector<QuickFix>& fixes) {
   Diagnostics ignored;
   const kinematics::Document document = kinematics::parse(place.source, ignored);

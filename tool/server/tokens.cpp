@@ -1,4 +1,4 @@
-// Semantic tokens: what each word of a document is.
+// Semantic tokens: the meaning of each word of a document.
 #include <algorithm>
 #include <array>
 
@@ -53,7 +53,7 @@ class TokenMarker {
 
   std::vector<Marked> run() {
     for (const Occurrence& o : lookup_.occurrences) list_.push_back({o.span, type_of_name(o.symbol.kind)});
-    std::size_t next = 0;  // occurrence that ends behind the token
+    std::size_t next = 0;  // first occurrence that ends after the beginning of the token
     const auto& occurrences = lookup_.occurrences;
     for (const Token& token : lookup_.document->tokens.tokens) {
       while (next < occurrences.size() && occurrences[next].span.end <= token.span.begin) ++next;
@@ -96,7 +96,7 @@ Json semantic_tokens(Workspace& workspace, const Json& parameters) {
   const Positions& here = lookup.here();
   Position last;
   for (const Marked& marked : TokenMarker(lookup).run()) {
-    // A token has one line: comments may have several.
+    // A token of the protocol is on one line, but comments may have several.
     std::size_t begin = marked.span.begin;
     while (begin < marked.span.end) {
       const Position at = here.position(begin);

@@ -28,7 +28,7 @@ struct Tag {
   }
 };
 
-// The tags of a text, one after the other; comments and the like are passed over.
+// Reads the tags of a text one after the other; skips comments and the like.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}
@@ -101,7 +101,7 @@ class Tags {
 
 UrdfNames urdf_names(std::string_view text) {
   UrdfNames names;
-  std::vector<std::string_view> open;  // elements around the tag
+  std::vector<std::string_view> open;  // elements that enclose the tag
   Tags tags(text);
   for (Tag tag; tags.next(tag);) {
     if (!tag.opens) {

@@ -1,4 +1,4 @@
-// The names in a URDF: those of its robot, links and joints, with their places, as far as the text can be read.
+// The names of the robot, links and joints in a URDF, with their places, as far as the text can be read.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ struct UrdfNames {
   UrdfName robot;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
-  // Elsewhere: joints in `mimic` and in transmissions, links in loops and couplings, links and joints in `gazebo`.
+  // Other uses: joints in `mimic` and in transmissions, links in loops and couplings, links and joints in `gazebo`.
   std::vector<UrdfName> uses;
 };
 

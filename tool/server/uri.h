@@ -1,4 +1,4 @@
-// Documents of an editor are named by URIs.
+// Conversion between paths and the URIs by which an editor names documents.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,8 @@
 
 namespace robcogen::server {
 
-// The path of a `file:` URI, without `.` and `..`; of others, such as `untitled:Untitled-1`, the text itself.
+// Returns the path of a `file:` URI, without `.` and `..`; for another URI, such as `untitled:Untitled-1`, the text
+// itself.
 std::filesystem::path path_of(std::string_view uri);
 std::string uri_of(const std::filesystem::path& path);
 

@@ -1,4 +1,4 @@
-// What the numbers of a document are: degrees of angles in radians, results of arithmetic.
+// The values of numbers in a document: degrees of angles in radians, and results of arithmetic.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ namespace robcogen::server {
 struct Value {
   Span span;  // of the expression
   bool is_angle = false;
-  bool is_literal = false;  // a number as it is
+  bool is_literal = false;  // a plain number
   Number number;
 };
 
-// Of all expressions that are constant, in the order of the text.
+// Returns the values of all constant expressions, in the order of the text.
 std::vector<Value> values_in(const Parsed& document);
 
-// Exact for multiples of PI: `-90`, `22.5`; else six digits.
+// Returns the angle in degrees with six digits; exact for multiples of PI: `-90`, `22.5`.
 std::string degrees_of(const Number& angle);
 
-// `-PI/2.0` is -90°; empty where there is nothing to say.
+// Returns a text such as "`-PI/2.0` is -90°"; empty if there is nothing to report.
 std::string describe(const Value& value, const Parsed& document);
 
 }  // namespace robcogen::server

@@ -64,7 +64,7 @@ std::vector<BlockWords> blocks_of_robots() {
       {"sense", {}}};
 }
 
-// Besides those that begin an item.
+// Words other than those that begin an item.
 const Words kOtherWordsOfRobots = {"as",    "at",    "mirrored", "x",    "y",        "z",
                                    "same",  "sense", "keep",     "base", "floating", "via",
                                    "point", "hinge", "slider",   "weld", "drawn",    "other"};

@@ -1,4 +1,4 @@
-// What the server knows while it runs: the open documents, and what follows from them.
+// The state of the server: the open documents, and the results computed from them.
 #pragma once
 
 #include <map>
@@ -25,13 +25,14 @@ class Workspace {
   RobotFinder& robots() { return robots_; }
   ParsedTexts& parsed_texts() { return parsed_texts_; }
 
-  // Of an open document, at its present text.
+  // Returns the analysis of an open document with its present text.
   const Analysis& analysis(const OpenDocument& document);
-  // What follows from the document of this path is computed again at its next use; without a path, everything is.
+  // Discards the results that depend on the document at this path, or all results, so that they are computed again at
+  // their next use.
   void forget(const std::filesystem::path& changed);
   void forget_all();
 
-  // Notifications of the diagnostics that changed, and in any case of those of the document `shown`.
+  // Returns notifications of the diagnostics that changed, and always those of the document `shown`.
   std::vector<Json> publish(const std::string& shown);
 
  private:
@@ -39,8 +40,8 @@ class Workspace {
   RobotFinder robots_{documents_};
   ParsedTexts parsed_texts_;
   std::map<std::string, std::shared_ptr<const Analysis>> analyses_;           // by URI
-  std::map<std::string, std::map<std::filesystem::path, Json>> diagnostics_;  // that each open document yields
-  std::map<std::filesystem::path, Json> published_;                           // what the editor has
+  std::map<std::string, std::map<std::filesystem::path, Json>> diagnostics_;  // results for each open document
+  std::map<std::filesystem::path, Json> published_;                           // last sent to the editor
 };
 
 }  // namespace robcogen::server

@@ -8,7 +8,7 @@
 
 namespace robcogen {
 
-// With a single allocation; `+` of many pieces needs several.
+// Needs a single allocation; `+` of many pieces needs several.
 inline std::string concat(std::initializer_list<std::string_view> pieces) {
   std::size_t size = 0;
   for (const std::string_view piece : pieces) size += piece.size();
@@ -24,7 +24,7 @@ inline std::string joined(const std::vector<std::string>& items, const std::stri
   return result;
 }
 
-// With `with` in each place of `old`.
+// Replaces every occurrence of `old` by `with`.
 inline std::string replaced(std::string text, std::string_view old, std::string_view with) {
   for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
     text.replace(at, old.size(), with);

@@ -8,8 +8,8 @@
 namespace robcogen {
 namespace {
 
-constexpr std::size_t kMaxColumns = 160;  // of source, shown
-constexpr std::size_t kMaxKept = 10000;   // of each severity: garbage of many megabytes must not fill the memory
+constexpr std::size_t kMaxColumns = 160;  // the most that is shown of a source line
+constexpr std::size_t kMaxKept = 10000;   // of each severity: many megabytes of garbage must not fill the memory
 
 std::size_t beyond(std::size_t count, std::size_t most) {
   return count > most ? count - most : 0;
@@ -101,7 +101,7 @@ bool is_error(const Diagnostic& d) {
   return d.severity == Severity::error;
 }
 
-// Who uses the text that holds the place, and who uses that, outwards.
+// Adds a note for the use of the text that holds the place, then for the use of the text that uses it, and so on.
 void add_uses(Place place, std::vector<Note>& notes) {
   while (place.source) {
     const Source::Use* use = place.source->use_at(place.span.begin);
@@ -132,8 +132,8 @@ char lower(char c) {
 
 constexpr std::size_t kMaxCompared = 200;
 
-// Insertions, deletions, substitutions and exchanges of neighbours (optimal string alignment) that turn one word into
-// the other; upper and lower case are the same.
+// The number of insertions, deletions, substitutions and exchanges of neighbours (optimal string alignment) that turn
+// one word into the other. Upper and lower case count as the same.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before_last(a.size() + 1), last(a.size() + 1), row(a.size() + 1);
   for (std::size_t i = 0; i <= a.size(); ++i) row[i] = i;

@@ -1,7 +1,7 @@
 // User errors are values: collected in one list, printed once.
 //
 // Each diagnostic has a stable code (`two-parents`, `unknown-joint`), a place, and optional notes that point at related
-// places. Rendered as
+// places. It is rendered as
 //     hyl.kindsl:12:5: error: joint 'KFE' connects two links [joint-used-twice]
 //         lowerleg via KFE
 //         ^~~~~~~~
@@ -20,13 +20,13 @@ namespace robcogen {
 enum class Severity { note, warning, error };
 enum class ErrorFormat { gnu, msvc };
 
-// A place in a source; without a source when `source` is empty.
+// A place in a source; `source` is null if there is none.
 struct Place {
   std::shared_ptr<const Source> source;
   Span span;
 };
 
-// In the text that the place was written in, where its source stands for several.
+// The place in the text in which it was written, if its source stands for several texts.
 Place written_at(const Place& place);
 
 struct Note {
@@ -40,7 +40,7 @@ struct Diagnostic {
   std::string message;  // one sentence, no final stop
   Place place;
   std::vector<Note> notes;
-  std::string hint;                       // `did you mean 'x'?`; empty when there is none
+  std::string hint;                       // `did you mean 'x'?`; empty if there is none
   std::vector<std::string> details = {};  // lines shown instead of the source line
 };
 
@@ -58,8 +58,8 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return list_; }
   // `--strict`: the named warnings become errors.
   void promote_warnings(const std::vector<std::string>& codes);
-  // At most `max_errors` errors, and as many warnings and notes, are shown in full, then a line that counts the rest.
-  // Sorted by source and place.
+  // Shows at most `max_errors` errors, and as many warnings and notes, in full, then a line that counts the rest. They
+  // are sorted by source and place.
   std::string render(ErrorFormat format = ErrorFormat::gnu, std::size_t max_errors = 100) const;
 
  private:
@@ -73,8 +73,8 @@ class Diagnostics {
 
 std::string render(const Diagnostic& d, ErrorFormat format = ErrorFormat::gnu);
 
-// The candidate nearest to `word` by edit distance, or empty when none is near enough to be meant. Of equally near
-// ones, the first of the same length, else the first.
+// The candidate nearest to `word` by edit distance, or empty if none is near enough to be meant. Among equally near
+// ones, this is the first of the same length, otherwise the first.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 // `did you mean 'x'?`, or empty.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// At most `limit` + 1 bytes: the last one shows that the file is larger.
+// Reads at most `limit` + 1 bytes; the last one shows that the file is larger.
 std::string read_up_to(std::FILE* file, std::size_t limit) {
   std::string text;
   std::array<char, 1 << 16> block;

@@ -9,7 +9,7 @@
 
 namespace robcogen {
 
-// The limit for documents, also for input without an end (a device, a pipe).
+// The size limit for documents, which also applies to input without an end (a device, a pipe).
 inline constexpr std::size_t kMaxInputSize = std::size_t{64} << 20;  // bytes
 
 // The bytes of the file, or nullopt with a message in `error`. Refuses folders and files larger than kMaxInputSize. "-"
@@ -21,9 +21,9 @@ struct OutputFile {
   std::string text;
 };
 
-// Writes every file whose content differs: all of them to temporary files first, which are then renamed. When a folder
-// cannot be made or a file cannot be written, temporary files are removed, nothing is renamed, and `error` says what
-// failed. Returns false then.
+// Writes every file whose content differs. All of them are first written to temporary files, which are then renamed. If
+// a folder cannot be made or a file cannot be written, the temporary files are removed, nothing is renamed, `error`
+// says what failed, and the function returns false.
 bool write_files_if_changed(
     const std::filesystem::path& directory,
     const std::vector<OutputFile>& files,

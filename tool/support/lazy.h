@@ -1,4 +1,4 @@
-// A value that is made at its first use.
+// A value that is made on first use.
 #pragma once
 
 #include <mutex>

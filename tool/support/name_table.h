@@ -11,12 +11,12 @@
 
 namespace robcogen {
 
-// Values by names. The table keeps a copy of each name: all names and places are in a few large blocks of memory, since
-// a program has thousands of names, which would take longer to allocate one by one than to look up.
+// A map from names to values. The table keeps a copy of each name. All names and entries are in a few large blocks of
+// memory: a program has thousands of names, and allocating them one by one would take longer than looking them up.
 template <class Value>
 class NameTable {
  public:
-  // nullptr where the table does not have the name. Values stay where they are until the next name is added.
+  // nullptr if the table does not have the name. Values stay where they are until the next name is added.
   Value* find(std::string_view name) { return const_cast<Value*>(std::as_const(*this).find(name)); }
   const Value* find(std::string_view name) const {
     if (slots_.empty()) return nullptr;
@@ -24,7 +24,7 @@ class NameTable {
     return entry == kFree ? nullptr : &entries_[entry].value;
   }
 
-  // The value of the name, and whether the name is new: then the value is this one.
+  // The value of the name, and whether the name is new. A new name gets this value.
   std::pair<Value*, bool> try_emplace(std::string_view name, const Value& value) {
     if (2 * (entries_.size() + 1) > slots_.size()) grow();
     const std::size_t hash = hash_of(name);
@@ -47,7 +47,7 @@ class NameTable {
 
   Texts texts_;
   std::vector<Entry> entries_;
-  std::vector<std::size_t> slots_;  // entries by their hashes: open addressing, a power of two, no more than half full
+  std::vector<std::size_t> slots_;  // indices of entries by hash: open addressing, a power of two, at most half full
 
   static std::size_t hash_of(std::string_view name) { return std::hash<std::string_view>()(name); }
 

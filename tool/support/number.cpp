@@ -17,13 +17,13 @@ using Wide = __int128;
 
 constexpr Wide kLimit = INT64_MAX;
 
-// Of a fraction in lowest terms; nullopt when it does not fit.
+// A fraction in lowest terms; nullopt if it does not fit.
 std::optional<Rational> fitted(Wide num, Wide den) {
   if (num > kLimit || num < -kLimit || den > kLimit) return std::nullopt;
   return Rational{static_cast<std::int64_t>(num), static_cast<std::int64_t>(den)};
 }
 
-// Reduced to lowest terms; nullopt when it does not fit.
+// The fraction reduced to lowest terms; nullopt if it does not fit.
 std::optional<Rational> reduced(Wide num, Wide den) {
   if (den == 0) return std::nullopt;
   if (den < 0) {
@@ -41,8 +41,8 @@ std::optional<Rational> reduced(Wide num, Wide den) {
   return fitted(num, den);
 }
 
-// Of fractions in lowest terms, by gcds of words alone (Knuth, The Art of Computer Programming 2, sec. 4.5.1); nullopt
-// when the result does not fit.
+// The sum of fractions in lowest terms, by gcds of words alone (Knuth, The Art of Computer Programming 2, sec. 4.5.1);
+// nullopt if the result does not fit.
 std::optional<Rational> sum_of(const Rational& a, const Rational& b) {
   const std::int64_t shared = std::gcd(a.den, b.den);
   const Wide num = Wide(a.num) * (b.den / shared) + Wide(b.num) * (a.den / shared);
@@ -55,12 +55,12 @@ std::optional<Rational> product_of(const Rational& a, const Rational& b) {
   return fitted(Wide(a.num / first) * (b.num / second), Wide(a.den / second) * (b.den / first));
 }
 
-// num / den to the nearest double, ties to even: a quotient of at least 64 bits, the last of which tells whether more
-// would follow, is rounded once.
+// num / den rounded to the nearest double, ties to even. A quotient of at least 64 bits is rounded once; its last bit
+// tells whether more bits would follow.
 double nearest_double(const Rational& r) {
   using Bits = unsigned __int128;
   if (r.num == 0) return 0.0;
-  // Both parts exact as doubles: one rounding, that of the division.
+  // If both parts are exact as doubles, the division rounds once.
   constexpr std::int64_t kExact = std::int64_t{1} << 53;
   if (r.num <= kExact && r.num >= -kExact && r.den <= kExact)
     return static_cast<double>(r.num) / static_cast<double>(r.den);
@@ -90,7 +90,7 @@ std::optional<Rational> dyadic(double value) {
   return Rational{num / (std::int64_t{1} << shared), std::int64_t{1} << (kBits - shared)};
 }
 
-// The integer that follows the 'e' of a literal, a sign before it or not; nullopt when it is too large.
+// The integer that follows the 'e' of a literal, with or without a sign; nullopt if it is too large.
 std::optional<long> exponent_of(std::string_view digits) {
   if (digits.starts_with('+')) digits.remove_prefix(1);
   long exponent = 0;
@@ -98,7 +98,7 @@ std::optional<long> exponent_of(std::string_view digits) {
   return read.ec == std::errc() ? std::optional(exponent) : std::nullopt;
 }
 
-// The shortest decimal fraction whose nearest double this is: the literal that its author wrote.
+// The shortest decimal fraction whose nearest double this is, which is the literal that its author wrote.
 std::optional<Rational> shortest_decimal(double value) {
   char buffer[40];
   const auto written = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
@@ -120,7 +120,7 @@ std::optional<Rational> shortest_decimal(double value) {
   return reduced(value < 0.0 ? -num : num, den);
 }
 
-// Whether an unsigned literal out of the range of doubles is too small, not too large.
+// Whether an unsigned literal outside the range of doubles is too small rather than too large.
 bool is_tiny(std::string_view text) {
   const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
   const std::size_t point = std::min(text.find('.'), mark);
@@ -131,7 +131,8 @@ bool is_tiny(std::string_view text) {
   return static_cast<long>(point) - static_cast<long>(first) + *exponent < 0;
 }
 
-// sin(num / den * PI), exact where it is rational; otherwise by the octant, so that equal magnitudes are equal doubles.
+// sin(num / den * PI), exact if it is rational; otherwise computed by octant, so that equal magnitudes are equal
+// doubles.
 double sin_of_pi(Wide num, Wide den) {
   num %= 2 * den;  // modulo 2 PI
   double sign = 1.0;
@@ -185,7 +186,7 @@ std::optional<Number> Number::parse(const std::string& literal) {
   const bool positive = literal.starts_with('+');
   const std::string_view text = std::string_view(literal).substr(positive ? 1 : 0);
   const std::size_t first = !positive && text.starts_with('-') ? 1 : 0;
-  // from_chars reads `inf` and `nan` too.
+  // from_chars also reads `inf` and `nan`.
   if (text.size() <= first || text.find_first_of(".0123456789", first) != first) return std::nullopt;
   double value = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -9,7 +9,7 @@
 
 namespace robcogen {
 
-// Some editors write it before a text in UTF-8. It is not part of the text, nor of its first line.
+// Some editors write this mark before a text in UTF-8. It is not part of the text, nor of its first line.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 // Half-open range of byte offsets into one source text.
@@ -23,13 +23,13 @@ struct LineColumn {
   std::size_t column = 1;  // from 1, in bytes
 };
 
-// A named text; its lines end with LF, CR LF or CR. The name is what messages show: a path, or `<standard input>`.
+// A named text, whose lines end with LF, CR LF or CR. The name is what messages show: a path, or `<standard input>`.
 //
-// A source may also stand for several texts, some of them many times over, as that of a document does that parts were
-// put into: each use of a text has offsets of its own, and says where it was used.
+// A source may also stand for several texts, and some of them many times over, such as a document into which parts were
+// put. Each use of a text has offsets of its own, and says where it was used.
 class Source {
  public:
-  // The offsets from `begin` on are those of the text of `source`, which the text at `user` made use of.
+  // A use of the text of `source` by the text at `user`. The offsets of this use start at `begin`.
   struct Use {
     std::shared_ptr<const Source> source;
     std::size_t begin = 0;
@@ -38,25 +38,25 @@ class Source {
   };
 
   Source(std::string name, std::string text);
-  // Of several texts; offsets of the first one are its own.
+  // A source of several texts. The offsets of the first one are its own.
   explicit Source(std::shared_ptr<const Source> first);
-  // A further text, used by the text at `user`. Returns the offset of its beginning.
+  // Adds a further text, used by the text at `user`. Returns the offset at which it begins.
   std::size_t use(std::shared_ptr<const Source> source, Span user, std::string note);
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
   LineColumn locate(std::size_t offset) const;
-  // The line (without its end) that holds this offset.
+  // The line that contains this offset, without its end.
   std::string_view line_at(std::size_t offset) const;
 
-  // The use that an offset belongs to; nullptr in a text of its own.
+  // The use that an offset belongs to; nullptr if the source has a text of its own.
   const Use* use_at(std::size_t offset) const;
 
  private:
   std::string name_;
   std::string text_;
   std::vector<std::size_t> line_starts_;
-  std::vector<Use> uses_;  // by `begin`
+  std::vector<Use> uses_;  // sorted by `begin`
 };
 
 }  // namespace robcogen

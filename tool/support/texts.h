@@ -8,14 +8,14 @@
 
 namespace robcogen {
 
-// Texts that keep their addresses as long as this object lives, also when it is moved. They are stored in long strings,
-// because allocating memory for each takes longer than writing it.
+// Texts that keep their addresses as long as this object lives, even when it is moved. They are stored in long strings,
+// because allocating memory for each would take longer than writing it.
 class Texts {
  public:
   Texts() = default;
   Texts(Texts&&) = default;  // the texts of a copy would have other addresses
 
-  // The pieces one after another.
+  // Stores the pieces one after another, as one text.
   std::string_view add(std::initializer_list<std::string_view> pieces);
 
  private:

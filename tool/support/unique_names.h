@@ -7,7 +7,7 @@
 
 namespace robcogen {
 
-// Names that are taken.
+// A set of names that are taken.
 class UniqueNames {
  public:
   bool contains(const std::string& name) const {
@@ -15,7 +15,7 @@ class UniqueNames {
     return use != nullptr && use->is_taken;
   }
 
-  // Whether the name was free; it is taken now.
+  // Takes the name. Returns whether it was free.
   bool reserve(const std::string& name) {
     const auto [use, is_new] = uses_.try_emplace(name, Use{true, round_});
     if (use->is_taken && !is_new) return false;
@@ -32,7 +32,7 @@ class UniqueNames {
     ++round_;  // its number may be free again
   }
 
-  // The name, or the name with the first number from 2 on that is not taken. It is taken now.
+  // Takes and returns the name, or the name with the first number from 2 on that is free.
   std::string add(const std::string& wanted) {
     if (reserve(wanted)) return wanted;
     const Use& use = *uses_.find(wanted);
@@ -47,14 +47,14 @@ class UniqueNames {
  private:
   static constexpr int kFirstNumber = 2;
 
-  // All numbers of a name that are smaller than the next are taken, if no name was released since that round.
+  // If no name was released since `round`, all numbers of the name below `next` are taken.
   struct Use {
     bool is_taken = false;
     int round = 0;
     int next = kFirstNumber;
   };
 
-  NameTable<Use> uses_;  // also of names that were released
+  NameTable<Use> uses_;  // including names that were released
   int round_ = 0;
 };
 

@@ -16,19 +16,20 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A program may lose this many times as much as the plain one …
+// A program's error may be this many times that of the plain one …
 constexpr double kShare = 2.5;
-// … or this many roundings, which is what different orders of the same sums differ by: as the root of the mean square,
-// which a single state near a singular position can decide, and as the geometric mean, which it cannot.
+// … or this many roundings, which is how much different orders of the same sums differ. kFloor is for the root mean
+// square, which a single state near a singular configuration can dominate; kTypicalFloor is for the geometric mean,
+// which it cannot.
 constexpr double kFloor = 8.0;
 constexpr double kTypicalFloor = 4.0;
 
-// A pivot, which is what a program divides by or takes the square root of, may lose this share of itself in float. The
-// output arrays do not show it: their largest elements are those of other pivots. At a loss of one it changes its sign,
-// and whether a result is a number is luck: a few roundings more or less than those of the plain program decide.
+// A pivot (a divisor, or the argument of a square root) may lose this share of its value in float. The output arrays do
+// not show such a loss: their largest elements come from other pivots. A pivot that loses all of its value may change
+// its sign, and then a few roundings more or less than in the plain program decide whether a result is NaN.
 constexpr double kLostOfPivot = 1.0 / 16;
 
-// A state in which results cancel is compared with this share of their usual size.
+// In a state in which results cancel, errors are measured relative to this share of the usual size of the results.
 constexpr double kLeastScale = 0.25;
 
 const OutputArray& output_of(const Program& program, const std::string& name) {
@@ -38,10 +39,10 @@ const OutputArray& output_of(const Program& program, const std::string& name) {
   return *found;
 }
 
-// Of one output array, in roundings.
+// The error of one output array, in roundings.
 struct ArrayError {
-  double mean_square = 0.0;  // its root
-  double typical = 0.0;      // the geometric mean
+  double mean_square = 0.0;  // root mean square
+  double typical = 0.0;      // geometric mean
 };
 
 struct Errors {
@@ -49,7 +50,7 @@ struct Errors {
   double of_pivots = 0.0;
 };
 
-// The largest error of a pivot in float, relative to what it is in double, of all states.
+// The largest error of any pivot in float over all states, relative to its value in double.
 double error_of_pivots(
     const Program& program,
     const StateEvaluator<double>& in_double,
@@ -72,7 +73,7 @@ double error_of_pivots(
   return largest;
 }
 
-// `scales` are zero where nothing is to be compared.
+// States whose scale is zero are not compared.
 double root_of_mean_square(const std::array<double, kStates>& errors, const std::array<double, kStates>& scales) {
   double squares = 0.0, count = 0.0;
   for (std::size_t s = 0; s < kStates; ++s) {
@@ -83,8 +84,8 @@ double root_of_mean_square(const std::array<double, kStates>& errors, const std:
   return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
-// Nothing counts as better than one rounding, or as worse than `all` digits lost. By square roots of pairs: no
-// logarithms, which differ between machines.
+// An error counts as at least one rounding and at most `all`, the loss of all digits. The mean is computed by square
+// roots of pairs, because logarithms differ between machines.
 double geometric_mean(std::array<double, kStates> errors, double all) {
   for (double& error : errors) error = std::clamp(error, 1.0, all);
   for (std::size_t n = kStates / 2; n > 0; n /= 2)
@@ -98,7 +99,7 @@ double worst(const std::vector<ArrayError>& errors) {
   return result;
 }
 
-// Array by array: the error of one array does not excuse the same error in another.
+// Compares array by array: the error of one array does not excuse the same error in another.
 bool is_as_accurate(const std::vector<ArrayError>& errors, const std::vector<ArrayError>& plain) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (!(errors[i].mean_square <= std::max(kShare * plain[i].mean_square, kFloor))) return false;
@@ -113,7 +114,7 @@ struct AccurateResults::Results {
   struct Output {
     std::string name;
     std::vector<Batch<DoubleDouble>> values;
-    std::array<double, kStates> scale;  // the largest value; zero where nothing is to be compared
+    std::array<double, kStates> scale;  // the largest value of each state; zero for states that are not compared
   };
   std::vector<Output> outputs;
   std::vector<double> parameters;

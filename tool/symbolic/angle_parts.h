@@ -9,12 +9,12 @@
 namespace robcogen::symbolic {
 
 struct AngleParts {
-  // The program without them: it takes sin_q and cos_q, of all angles of its library, as inputs behind the joint
-  // positions.
+  // The program without its sines and cosines: it takes sin_q and cos_q, of all angles of its library, as inputs after
+  // the joint positions.
   Program core;
-  // The same with congruent limbs in lanes, if the program has them.
+  // The core with congruent limbs in lanes, if there is one.
   std::optional<Program> core_in_lanes;
-  std::vector<int> read;  // the angles whose sine or cosine these read, in rising order
+  std::vector<int> read;  // the angles whose sine or cosine the cores read, in ascending order
   Program angles;         // [parameters,] q -> these angles, in this order
 };
 

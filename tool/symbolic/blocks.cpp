@@ -11,7 +11,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// One value whose lanes stand at equal distances.
+// A value whose lanes are array elements at equal distances.
 struct Column {
   int stride = 0;
   int width = 0;
@@ -23,7 +23,7 @@ std::tuple<int, int, int> place(const Column& c) {
   return {c.stride, c.width, c.first};
 }
 
-// Columns that follow each other become a block. `between` may offer a column for a place that has none.
+// Joins columns that follow each other into blocks. `between` may supply a missing column between two of them.
 template <class Between>
 std::vector<Block> joined(int array, std::vector<Column> columns, const Between& between) {
   std::sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return place(a) < place(b); });
@@ -45,9 +45,9 @@ std::vector<Block> joined(int array, std::vector<Column> columns, const Between&
   return blocks;
 }
 
-// The elements of an output that are lanes of values, as columns; each element is in one column.
+// Groups the elements of an output that are lanes of values into columns; each element is in one column.
 std::vector<Column> columns_of(const Program& p, const OutputArray& array) {
-  std::map<std::tuple<int, int, bool>, std::vector<int>> places;  // of a statement's lane, with this sign
+  std::map<std::tuple<int, int, bool>, std::vector<int>> places;  // by statement, lane and sign
   const auto key = [](const Operand& o, int lane) { return std::tuple(o.index, lane, o.negative); };
   const auto count = static_cast<int>(array.values.size());
   for (int k = 0; k < count; ++k) {
@@ -77,13 +77,13 @@ std::vector<Column> columns_of(const Program& p, const OutputArray& array) {
   return columns;
 }
 
-// Vectors and single elements that so many equal elements take, of vectors of four.
+// The number of stores that write this many equal elements, with vectors of four.
 int cost(int count) {
   return count < 4 ? count : (count + 3) / 4;
 }
 
-// Elements that equal one constant and are in no block. Elements that are written later may stand between them where
-// that takes no more stores.
+// Runs of elements that equal one constant and are in no block. A run may span elements that are written later, if that
+// takes no more stores.
 std::vector<Fill> fills_of(int index, const OutputArray& array, const std::vector<bool>& taken) {
   std::vector<Fill> fills;
   const auto count = static_cast<int>(array.values.size());
@@ -133,7 +133,7 @@ Stores stores(const Program& p) {
 }
 
 std::vector<Block> loads(const Program& p) {
-  std::vector<std::pair<int, int>> places;  // of input elements: array, element
+  std::vector<std::pair<int, int>> places;  // array and element of each flat input index
   for (std::size_t i = 0; i < p.inputs.size(); ++i)
     for (std::size_t k = 0; k < p.inputs[i].elements.size(); ++k)
       places.emplace_back(static_cast<int>(i), static_cast<int>(k));
@@ -160,8 +160,9 @@ std::vector<Block> loads(const Program& p) {
   return result;
 }
 
-// With four lanes, four columns take eight shuffles, three without a gap between the lanes six, two take two and two
-// more stores, one alone three moves or one. What is wider is moved half by half.
+// With four lanes, four columns take eight shuffles, and three columns that leave no gap between the lanes take six.
+// Two columns take two shuffles and two more stores, a single column at most three moves. Wider blocks are moved four
+// lanes at a time.
 int moves(const Block& block) {
   const auto columns = static_cast<int>(block.columns.size());
   if (block.width < 4) return columns;

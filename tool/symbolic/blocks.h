@@ -16,7 +16,7 @@ struct Block {
   std::vector<Operand> columns;  // values with that many lanes, or constants, which are equal in all lanes
 };
 
-// Neighbouring elements of an output that are the same constant. Some in between may not be: they are written later.
+// Neighbouring elements of an output that equal one constant. Elements in between may differ: they are written later.
 struct Fill {
   int array = 0;
   int first = 0;
@@ -33,10 +33,11 @@ struct Stores {
 // without lanes. Other elements are stored one by one.
 Stores stores(const Program& program);
 
-// Two or more gathers that are columns of a block of an input.
+// The blocks of inputs whose columns are two or more gathers.
 std::vector<Block> loads(const Program& program);
 
-// Instructions that assemble a block from its columns or split it into them, without its loads and stores.
+// The number of instructions that assemble a block from its columns or split it into them, not counting loads and
+// stores.
 int moves(const Block& block);
 
 }  // namespace robcogen::symbolic

@@ -1,8 +1,8 @@
 // A constant of a program, and of the graph that the program is traced in.
 //
-// Constants that stand for a set, as a mass of four legs that differ by a gram, can fold as a representative of the set
-// does: the constant is zero, one, or equal to another constant only when its own number and the representative one
-// are. Sums, products and quotients compute both.
+// A constant may stand for a set of numbers, such as the masses of four legs that differ by a gram, and fold as a
+// representative number of the set does: it is zero, one, or equal to another constant only if both its own number and
+// the representative one are. Sums, products and quotients compute both numbers.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class Constant {
   Constant() = default;  // exactly zero
   Constant(const Number& number) : number_(number) {}
 
-  // The same number, with the representative one of its set.
+  // The same number, with this representative number of its set.
   Constant folded_as(double representative) const;
 
   const Number& number() const { return number_; }

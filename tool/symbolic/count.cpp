@@ -13,7 +13,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// The users of every statement, one after the other: those of statement i from first[i] on.
+// The users of all statements in one list: those of statement i begin at first[i].
 struct Uses {
   std::vector<int> first;
   std::vector<int> users;
@@ -24,13 +24,13 @@ struct Uses {
   }
 };
 
-// Whether a sum can swallow this product: a scalar one that all its lanes take is computed before it.
+// Whether a sum can be fused with this product. A scalar product that a sum with lanes reads is computed before it.
 bool is_fusable(const Program& p, int sum, const Operand& product) {
   return product.lane < 0 && p.statements[static_cast<std::size_t>(sum)].width ==
                                  p.statements[static_cast<std::size_t>(product.index)].width;
 }
 
-// Of products only. -1: users that cannot be fused with one.
+// The users of products only; -1 stands for a user that cannot be fused with the product.
 Uses uses_of_products(const Program& p) {
   std::vector<char> is_product(p.statements.size());
   for (std::size_t i = 0; i < p.statements.size(); ++i) is_product[i] = p.statements[i].op == Op::multiply;
@@ -80,7 +80,7 @@ int critical_path(const Program& p) {
         break;
       case Op::gather:
         for (const Operand& o : s.lanes) ready[i] = std::max(ready[i], at(o));
-        if (ready[i] > 0) ready[i] += kMoveLatency;  // else it can be made ahead
+        if (ready[i] > 0) ready[i] += kMoveLatency;  // otherwise it can be computed ahead
         break;
       case Op::sum_lanes:
         ready[i] = at(s.a);
@@ -119,7 +119,7 @@ bool has_parameters(const Program& p) {
   return std::any_of(p.inputs.begin(), p.inputs.end(), [](const InputArray& a) { return a.role == Role::parameters; });
 }
 
-// The program with every value that depends on parameters alone as an input.
+// The program with an input in place of every value that depends on parameters alone.
 Program given_parameters(const Program& p) {
   std::vector<bool> is_parameter;
   for (const InputArray& array : p.inputs)
@@ -155,7 +155,7 @@ Program given_parameters(const Program& p) {
   return rest;
 }
 
-// Elements that are lanes, but in no block, cost one instruction each.
+// The number of instructions that move lanes to outputs. An element that is a lane but in no block costs one.
 int moves_to_outputs(const Program& p) {
   int count = 0;
   for (const OutputArray& array : p.outputs)
@@ -168,7 +168,7 @@ int moves_to_outputs(const Program& p) {
   return count;
 }
 
-// Instructions that bring lanes together and take them apart.
+// The number of instructions that gather scalars into lanes and extract them.
 int moves(const Program& p) {
   int count = 0;
   std::vector<bool> is_loaded(p.statements.size(), false);
@@ -223,7 +223,7 @@ OperationCount count(const Program& p) {
         break;
     }
   }
-  // The sine of a single lane is one of the sines of all lanes, where these are computed.
+  // The sine of a single lane costs nothing if the sines of all lanes are computed.
   c.sincos += static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
     const auto& [kind, index, lane] = angle;
     return lane < 0 || angles.count({kind, index, -1}) == 0;

@@ -1,15 +1,16 @@
-// Operation count and critical path of a program: figures without noise.
+// Operation count and critical path of a program: cost measures without noise.
 #pragma once
 
 #include "symbolic/program.h"
 
 namespace robcogen::symbolic {
 
-// Cycles of an addition, a multiplication or the two fused, and of a division or square root, on present processors.
+// Latencies on current processors, in cycles: of an addition, a multiplication or both fused; of a division or square
+// root; of an arc tangent.
 inline constexpr int kLatency = 4;
 inline constexpr int kDivisionLatency = 14;
 inline constexpr int kArcTangentLatency = 80;
-// Of taking a lane out of a vector or putting it in.
+// Latency of extracting a lane from a vector or inserting it, in cycles.
 inline constexpr int kMoveLatency = 3;
 
 // An operation on all lanes of a value counts once.
@@ -26,11 +27,11 @@ struct OperationCount {
 
 OperationCount count(const Program& program);
 
-// Cycles between two changes of the parameters, on a processor with two units for products and sums: no less than the
-// critical path, no less than half the instructions.
+// Predicted cycles of a call on a processor with two units for products and sums: the critical path, or half the
+// instructions and moves if that is more. Values that depend on parameters alone cost nothing.
 int predicted_time(const Program& program);
 
-// The measure that programs of one purpose are compared by: operations plus instructions after fusing. Values that
+// The cost by which programs for the same purpose are compared: operations plus instructions after fusing. Values that
 // depend on parameters alone cost nothing.
 int work(const Program& program);
 

@@ -13,12 +13,12 @@
 namespace robcogen::symbolic {
 namespace {
 
-// A program in a graph, to which more is added.
+// A program rebuilt in a graph, to which its derivatives are added.
 class Differentiated {
  public:
   explicit Differentiated(const Program& program) : Differentiated(program, program.inputs.size(), {}) {}
 
-  // With another input in front of the array `place`.
+  // Adds another input in front of the input array `place`.
   Differentiated(const Program& program, std::size_t place, const InputArray& added)
       : program_(program),
         rebuild_(program, place, added),
@@ -35,7 +35,7 @@ class Differentiated {
   }
 
   Graph& graph() { return rebuild_.graph; }
-  // Of expressions: nothing more is differentiated beyond it.
+  // The number of expressions beyond which nothing more is differentiated.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   bool is_full() const { return rebuild_.graph.nodes().size() > limit; }
 
@@ -59,7 +59,7 @@ class Differentiated {
     throw std::logic_error("the program has no input '" + name + "'");
   }
 
-  // The matrix of such rates, column by column.
+  // The matrix of FollowerRates, column by column.
   std::vector<Expression> rates_of_followers(const Program& rates) {
     graph().begin_section("rates of positions that follow", "rates");
     std::vector<Expression> inputs;
@@ -79,7 +79,7 @@ class Differentiated {
     outputs_.push_back(values);
   }
 
-  // By node: the derivatives of the program's nodes by an input.
+  // The derivative of each node of the program by an input.
   std::vector<Expression> tangents(const Expression& by) {
     std::vector<Expression> d(size_);
     d[at(by.node())] = graph().one();
@@ -93,7 +93,7 @@ class Differentiated {
     return d;
   }
 
-  // By node: the derivatives of the product of weights and results by the program's nodes.
+  // The derivative of the weighted sum of the results by each node of the program.
   std::vector<Expression> adjoints(const std::vector<Expression>& results, const std::vector<Expression>& weights) {
     std::vector<Expression> d(size_);
     for (std::size_t k = 0; k < results.size(); ++k)
@@ -113,7 +113,7 @@ class Differentiated {
  private:
   const Program& program_;
   Rebuild rebuild_;
-  int added_;  // elements of the other input
+  int added_;  // elements of the added input
   std::vector<OutputArray> shapes_;
   std::vector<std::vector<Expression>> outputs_;
   std::size_t size_ = 0;  // nodes of the program
@@ -130,7 +130,8 @@ std::vector<Expression> signed_values(const std::vector<Expression>& by_node, co
   return result;
 }
 
-// A turn by the small vector t takes the quaternion q to q (1, t / 2).
+// Derivatives by rotations in place of those by quaternion elements. A rotation by the small vector t (rad) takes the
+// quaternion q to q (1, t / 2).
 std::vector<Expression> by_turns(
     const InputArray& array,
     const std::vector<Expression>& q,
@@ -161,10 +162,10 @@ const InputArray& array_of(const Program& program, const std::string& input) {
 
 namespace {
 
-// Derivatives of all results by one input array: of each output array a matrix, column by column.
+// Derivatives of all results by one input array: a matrix for each output array, column by column.
 using Blocks = std::vector<std::vector<Expression>>;
 
-// Of these outputs.
+// Indices of outputs.
 using Indices = std::vector<std::size_t>;
 
 Blocks forward_blocks(Differentiated& d, const Indices& outputs, const std::vector<Expression>& variables) {
@@ -192,7 +193,7 @@ Blocks reverse_blocks(Differentiated& d, const Indices& outputs, const std::vect
   return blocks;
 }
 
-// The same of a matrix, column by column.
+// `by_turns` for each row of a matrix that is stored column by column.
 std::vector<Expression> columns_by_turns(
     const InputArray& array,
     const std::vector<Expression>& q,
@@ -208,7 +209,8 @@ std::vector<Expression> columns_by_turns(
   return result;
 }
 
-// Of a matrix, column by column, by all elements of an input but quaternions: that by those that do not follow others.
+// The derivatives by the elements of an input that do not follow others, from those by all elements (with rotations in
+// place of quaternions). Both are matrices, column by column.
 std::vector<Expression> with_followers(
     Differentiated& d,
     const InputArray& array,
@@ -226,7 +228,7 @@ std::vector<Expression> with_followers(
   return result;
 }
 
-// How many derivatives there are by an input.
+// The number of derivatives by an input.
 std::size_t columns_by(const InputArray& array) {
   return array.elements.size() - array.quaternions.size() - at(array.followers);
 }
@@ -238,7 +240,7 @@ std::string name_of_block(const Program& program, const OutputArray& of, const s
 
 enum class Mode { forward, reverse };
 
-// nullopt beyond that many expressions.
+// nullopt if it takes more than `most` expressions.
 std::optional<Program> differentiated(
     const Program& program,
     const std::vector<std::string>& inputs,
@@ -300,7 +302,7 @@ std::size_t place_of_output(const Program& program, const std::string& name) {
   return k;
 }
 
-// The elements on one side of the diagonal; those on the other side are computed by nobody.
+// Copies the elements below the diagonal to those above, which then need not be computed.
 void make_symmetric(std::vector<Expression>& block, std::size_t size) {
   for (std::size_t r = 0; r < size; ++r)
     for (std::size_t c = r + 1; c < size; ++c) block[r + c * size] = block[c + r * size];
@@ -318,7 +320,7 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
     const std::size_t columns = columns_by(array);
     if (!array.quaternions.empty()) block = columns_by_turns(array, variables, block);
     block = with_followers(d, array, rates, block);
-    // Turns about two axes do not commute.
+    // With quaternions the matrix is not symmetric, because rotations about two axes do not commute.
     if (array.quaternions.empty() && of == by) make_symmetric(block, columns);
     d.add_output("d_" + of + "_" + by, Role::matrix, static_cast<int>(rows), static_cast<int>(columns), block);
   }

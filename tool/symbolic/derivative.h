@@ -1,5 +1,5 @@
 // Partial derivatives of programs, as programs: each statement is differentiated by itself (Griewank and Walther 2008,
-// ch. 3), and what folds or is there already costs nothing.
+// ch. 3). Derivatives that fold or exist already cost nothing.
 #pragma once
 
 #include <optional>
@@ -12,42 +12,43 @@
 
 namespace robcogen::symbolic {
 
-// An output of a program that is the derivative of another one by an input: a row for each element of the latter,
-// column by column, a column for each of the input.
+// The output `place` of a program is the derivative of the output `of` by the input `by`: a matrix with a row for each
+// element of that output (column by column) and a column for each element of the input.
 struct DerivativeBlock {
-  int of = 0;  // outputs
+  int of = 0;  // index into the outputs, as is `place`
   std::string by;
   int place = 0;
 };
 
-// Of an expression of few operations, by an input.
+// The derivative of an expression of few operations by an input.
 Expression derivative(const Expression& of, const Expression& by);
 
-// An expression that changes at this rate, whatever it depends on.
+// An expression that is given this rate, whatever it depends on.
 struct Rate {
   Expression of, rate;
 };
 
-// The rates of expressions of one graph where these change, and no other input does: forward mode (Griewank and Walther
-// 2008, sec. 3.1).
+// The rates of expressions of one graph when `changes` are given and no other input changes, by forward mode (Griewank
+// and Walther 2008, sec. 3.1).
 std::vector<Expression> rates_of(const std::vector<Expression>& of, const std::vector<Rate>& changes);
 
 // `cheaper`: forward mode, or reverse mode (an adjoint for each element of the outputs), whichever takes less work
 // (count.h).
 enum class DerivativeMode { forward, cheaper };
 
-// The program, with the derivatives of its outputs by each element of these inputs as further outputs. Those of `y` by
-// `q` are the array `y_d_q`, or `d_q` where the program has one output that is not called so itself: a row for each
-// element of y, a column for each of q. Of programs without lanes.
-// In place of the four columns of a unit quaternion stand three, by a turn (rad) about each axis of the frame that it
-// turns. Elements that follow others (InputArray::followers) have no columns: they move as these have them.
+// Returns the program with the derivatives of its outputs by each element of these inputs as further outputs. The
+// derivative of `y` by `q` is the array `y_d_q`, or `d_q` if the program has only one output and that is not called
+// `d_q`: a row for each element of y, a column for each element of q. The program must not have lanes.
+// A unit quaternion has three columns instead of four, by a rotation (rad) about each axis of the rotated frame.
+// Elements that follow others (InputArray::followers) have no columns: they move with the elements that they follow.
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
 
-// How elements of an input that follow others do: a program of inputs of those that it is for. Its output is a matrix
-// with a row for each of them, and a column for each other derivative by the input. Of none: nullopt.
+// How the followers among the elements of an input depend on the others: a program whose inputs are inputs of the
+// program to differentiate. Its output is a matrix with a row for each follower and a column for each other derivative
+// by the input. nullopt if there are no followers.
 using FollowerRates = std::optional<Program>;
 
-// The same in this mode; in the other one where that would take more than `most` expressions. nullopt where both would.
+// The same in this mode, or in the other one if this one takes more than `most` expressions; nullopt if both do.
 std::optional<Program> with_derivatives(
     const Program& program,
     const std::vector<std::string>& inputs,
@@ -55,10 +56,10 @@ std::optional<Program> with_derivatives(
     std::size_t most,
     const FollowerRates& rates = {});
 
-// Reverse mode: the program, with the gradient of the product of `weights` and the elements of these outputs, one after
-// the other. Weights are a further input, in front of the input array `place`. The derivatives by an input `q` are the
-// array `d_q`. Costs a small multiple of the program, however many inputs there are. Unit quaternions and followers as
-// above.
+// Returns the program with the gradient of the weighted sum of all elements of these outputs, by reverse mode. The
+// weights are a further input `weights` in front of the input array `place`, one for each element in order. The
+// derivatives by an input `q` are the array `d_q`. The gradient costs a small multiple of the program, however many
+// inputs there are. Unit quaternions and followers are treated as above.
 Program with_gradient(
     const Program& program,
     const std::vector<std::string>& outputs,
@@ -66,7 +67,8 @@ Program with_gradient(
     std::size_t place,
     const FollowerRates& rates = {});
 
-// Derivatives of the `d_x` of such a gradient by y, for each pair (x, y): `d_x_y`, symmetric where x is y.
+// Returns such a gradient with the derivatives of its arrays `d_x` by y as further outputs `d_x_y`, for each pair
+// (x, y). They are symmetric if x is y and has no quaternions.
 Program with_second_derivatives(
     const Program& gradient,
     const std::vector<std::pair<std::string, std::string>>& pairs,

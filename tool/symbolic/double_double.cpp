@@ -8,7 +8,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// Of the power n stands 1 / n!; the series ends where it has no part in 32 digits.
+// The number of terms 1 / n! of the Taylor series; later ones do not affect 32 digits.
 constexpr int kTerms = 28;
 
 std::array<DoubleDouble, kTerms> inverse_factorials() {
@@ -18,7 +18,7 @@ std::array<DoubleDouble, kTerms> inverse_factorials() {
   return list;
 }
 
-// Terms from `first` on, every second one, with alternating signs, of powers of `square`.
+// The sum of every second term from `first` on, with alternating signs, in powers of `square`.
 DoubleDouble series(const DoubleDouble& square, std::size_t first) {
   static const std::array<DoubleDouble, kTerms> factors = inverse_factorials();
   DoubleDouble sum;
@@ -27,7 +27,7 @@ DoubleDouble series(const DoubleDouble& square, std::size_t first) {
 }
 
 SineCosine computed(const DoubleDouble& angle) {
-  // Quarter turns in three parts; their products with the number of turns are exact enough up to 1e5.
+  // A quarter turn as the sum of three doubles, whose products with the number of turns are exact enough up to 1e5.
   constexpr std::array<double, 3> kQuarter = {
       1.570796326794896558e+00, 6.123233995736766036e-17, -1.497384904859169777e-33};
   const double turns = std::floor(angle.high * 6.366197723675813431e-01 + 0.5);
@@ -51,7 +51,7 @@ struct Hash {
 
 }  // namespace
 
-// The programs of a robot turn by the same angles in the same states: a thread computes each once.
+// The programs of one robot use the same angles in the same states: each thread computes each of them once.
 SineCosine sine_cosine(const DoubleDouble& angle) {
   constexpr std::size_t kMost = 1 << 16;
   thread_local std::unordered_map<std::pair<double, double>, SineCosine, Hash> known;
@@ -61,8 +61,9 @@ SineCosine sine_cosine(const DoubleDouble& angle) {
   return place->second;
 }
 
-// Two steps of Newton's method from a rough angle: each doubles the digits. The start is computed without the
-// mathematical library, by a rational function that is right to some 1e-3 in the first eighth of the circle.
+// Refines a rough angle in three steps. Each adds the arc sine of the remaining sine up to the third order, which
+// multiplies the number of correct digits by five. The start is computed without the mathematical library, by a
+// polynomial with an error of at most 4e-3 rad in the first eighth of the circle.
 DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine) {
   const double s = std::abs(sine.high), c = std::abs(cosine.high);
   const double t = s < c ? s / c : s > 0.0 ? c / s : 0.0;
@@ -75,7 +76,7 @@ DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine) {
   constexpr int kSteps = 3;
   for (int step = 0; step < kSteps; ++step) {
     const SineCosine now = sine_cosine(angle);
-    const DoubleDouble rest = (sine * now.cosine - cosine * now.sine) / length;  // the sine of what is missing
+    const DoubleDouble rest = (sine * now.cosine - cosine * now.sine) / length;  // sine of the remaining angle
     angle = angle + rest + rest * rest * rest / DoubleDouble{6.0, 0.0};
   }
   return angle;

@@ -1,8 +1,8 @@
-// Numbers of some 32 digits, each the unevaluated sum of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2).
+// Numbers of about 32 digits, each the unevaluated sum of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2).
 //
 // Additions, products, quotients and square roots of IEEE doubles are the only operations, in a fixed order and without
-// the mathematical library: the same bits on every machine. Sources that include this are compiled without contraction
-// of products and sums (tool/CMakeLists.txt).
+// the mathematical library, so that results have the same bits on every machine. Sources that include this are compiled
+// without contraction of products and sums (tool/CMakeLists.txt).
 #pragma once
 
 #include <cmath>
@@ -20,13 +20,13 @@ inline DoubleDouble two_sum(double a, double b) {
   return {sum, (a - (sum - share)) + (b - share)};
 }
 
-// The same where |a| >= |b|, or a is zero.
+// The same, provided that |a| >= |b| or a is zero.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-// The product of two doubles, exactly, but for overflow above 1e300.
+// The product of two doubles, exactly, unless it overflows (above 1e300).
 inline DoubleDouble two_product(double a, double b) {
   constexpr double kSplit = 134217729.0;  // 2^27 + 1
   const double product = a * b;
@@ -74,10 +74,11 @@ struct SineCosine {
   DoubleDouble sine, cosine;
 };
 
-// Of an angle of at most some 1e5 rad, by the Taylor series after reduction to an eighth of a turn.
+// The sine and cosine of an angle of at most about 1e5 rad, by the Taylor series after reduction to an eighth of a
+// turn.
 SineCosine sine_cosine(const DoubleDouble& angle);
 
-// The angle of this sine and this cosine.
+// The angle with this sine and this cosine.
 DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine);
 
 // Pi.

@@ -165,7 +165,7 @@ Expression Graph::add(Expression a, Expression b) {
   }
   if (is_sum(x) || is_sum(y))
     if (const std::optional<Expression> folded = folded_sum(a, b)) return *folded;
-  // Canonical form: the operand that was made first stands first; a common sign moves outwards.
+  // Canonical form: the operand that was created first comes first, and a common sign moves outwards.
   if (a.node() > b.node()) std::swap(a, b);
   const Expression sum =
       operation(a.negative() == b.negative() ? Op::add : Op::subtract, positive(a.node()), positive(b.node()));

@@ -1,4 +1,5 @@
-// Scalar expressions that fold and share while they are built: algorithms run over them as over any scalar.
+// Scalar expressions that fold constants and share subexpressions while they are built: algorithms use them like any
+// other scalar.
 //
 // A Graph holds each distinct operation once (hash-consing), so common subexpressions cost nothing by construction. An
 // Expression is a node with a sign: -x is free, a - b and b - a are one node. Zeros, ones and constants fold, multiples
@@ -49,7 +50,8 @@ class Expression {
   friend Expression sqrt(const Expression& a);
   friend Expression sin(const Expression& a);
   friend Expression cos(const Expression& a);
-  // The angle with this sine and this cosine, which are those of one angle: their sines and cosines are these again.
+  // The angle with this sine and this cosine, whose squares must add up to one. The sine and cosine of the result fold
+  // back to them.
   friend Expression atan2(const Expression& sine, const Expression& cosine);
   Expression& operator+=(const Expression& b) { return *this = *this + b; }
   Expression& operator-=(const Expression& b) { return *this = *this - b; }
@@ -67,8 +69,8 @@ struct Node {
   enum class Kind : std::uint8_t { constant, input, operation };
   Kind kind = Kind::constant;
   Op op = Op::add;
-  bool a_negative = false;  // square roots only: everything else moves signs outwards, but for
-  bool b_negative = false;  // the cosine of an arc tangent
+  bool a_negative = false;  // of square roots only: other operations move the sign outwards
+  bool b_negative = false;  // of the cosine of an arc tangent only
   int a = -1;               // constant: index into constants; input: flat element index; operation: first operand
   int b = -1;
   friend bool operator==(const Node&, const Node&) = default;
@@ -88,7 +90,7 @@ class Graph {
   // An operand of a node.
   Expression expression(int node, bool negative) { return Expression(this, node, negative); }
 
-  // A checkpoint, and the return to it: everything that was built since is forgotten. For comparing the cost of
+  // A checkpoint, and the return to it, which forgets everything that was built since. Used to compare the cost of
   // variants.
   std::size_t mark() const { return nodes_.size(); }
   void rollback(std::size_t mark);
@@ -96,24 +98,24 @@ class Graph {
   // products.
   int cost_since(std::size_t mark) const;
 
-  // For programs that are only counted: no sections and names from now on, and statements without names.
+  // For programs that are only counted: from now on sections and names are ignored, and statements have no names.
   void forget_names() { names_matter_ = false; }
   bool keeps_names() const { return names_matter_; }
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);
-  // Gives the value a name unless it has one, or is a constant or an input. Where only the negated value is computed,
-  // it is called `<name>_neg`.
+  // Gives the value a name unless it has one, or is a constant or an input. If only the negated value is computed, it
+  // is called `<name>_neg`.
   void name(const Expression& e, const std::string& name);
-  // The same for what passes and back ends may still take apart or put into another statement: the name is used where a
-  // statement with this value is left. A name that `name` gives takes its place.
+  // Like `name`, for a value that passes and back ends may still split or merge into another statement: the name is
+  // used if a statement with this value remains. A name given by `name` replaces it.
   void describe(const Expression& e, const std::string& name);
-  // The subject of the section that is open: `lowerleg`.
+  // The subject of the current section: `lowerleg`.
   const std::string& subject() const { return sections_.back().prefix; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
   const Constant& constant_of(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
 
-  // The program that computes these outputs: reachable operations in the order of their making. `outputs[k]` supplies
+  // The program that computes these outputs: reachable operations in the order of their creation. `outputs[k]` supplies
   // the values of `shapes[k]`.
   Program program(
       std::string name,
@@ -138,15 +140,15 @@ class Graph {
 
   void set_name(const Expression& e, const std::string& name, bool is_own);
   std::uint32_t hash(const Node& n) const;
-  // The same operation, input or constant.
+  // Whether both nodes are the same operation, input or constant.
   bool is_same(const Node& m, const Node& n) const;
-  // Where in known_ a node with this hash that is the same stands, or would stand.
+  // The index in known_ at which the same node, with this hash, is or would be stored.
   std::size_t slot(const Node& n, std::uint32_t hash) const;
   void grow();
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
   Expression add(Expression a, Expression b);
-  // A sum of which a or b is a sum, where terms of both fold.
+  // The sum of a and b, at least one of which is a sum, if terms of both fold.
   std::optional<Expression> folded_sum(const Expression& a, const Expression& b);
   Expression multiply(Expression a, Expression b);
   bool is_constant(int node) const { return nodes_[static_cast<std::size_t>(node)].kind == Node::Kind::constant; }
@@ -154,14 +156,14 @@ class Graph {
   static bool is_sum(const Node& n) { return n.kind == Node::Kind::operation && symbolic::is_sum(n.op); }
   const Node& node_of(const Expression& e) const { return nodes_[static_cast<std::size_t>(e.node())]; }
   Expression positive(int node) { return Expression(this, node, false); }
-  // A node as factor * rest; factor is a constant's node, and 1's when it has none.
+  // A node as factor * rest; factor is the node of a constant, or of one if the node has no constant factor.
   struct Scaled {
     int factor, rest;
   };
   Scaled split_factor(int node) const;
   // The signed factor of an expression that was split.
   Constant factor(const Expression& x, const Scaled& split) const;
-  // The sine and the cosine of an arc tangent, or of a sum or difference with one in it.
+  // The sine and the cosine of an arc tangent, or of a sum or difference that contains one.
   std::optional<std::array<Expression, 2>> known_sine_cosine(const Expression& angle);
   // The two terms of a sum or difference.
   std::array<Expression, 2> terms(const Expression& x);
@@ -171,10 +173,10 @@ class Graph {
   std::vector<Constant> constants_;
   std::vector<NodeName> names_;  // up to the last node that has one
   std::vector<Section> sections_;
-  std::vector<std::size_t> section_starts_;  // by section: its first node, or the first after it where it has none
-  // Nodes by what they are: open addressing, no more than half full, -1 where none is. The last node can be taken out
-  // by clearing its place, since none came after it. Most other nodes that a search passes have another hash, and need
-  // not be looked at.
+  std::vector<std::size_t> section_starts_;  // by section: its first node, or the next one if it has none
+  // A hash table of the nodes: open addressing, at most half full, -1 for an empty slot. The last node can be removed
+  // by clearing its slot, since no node was inserted after it. Most other nodes that a search passes have another hash
+  // and need not be compared.
   struct KnownNode {
     std::uint32_t hash = 0;
     int node = -1;

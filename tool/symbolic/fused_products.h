@@ -1,4 +1,4 @@
-// How many products disappear in the sums that use them: a processor computes a * b + c as one operation.
+// The number of products that disappear in the sums that use them: a processor computes a * b + c as one operation.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace robcogen::symbolic {
 
-// Of products with the sums that use them, by statements or nodes from 0 to size - 1, for those used by nothing but
-// sums. A product disappears where every use is a sum of its own that has not absorbed another product yet. Those with
-// fewest uses go first: they block fewest others.
+// `products` has the uses of each product that only sums use, as indices of statements or nodes from 0 to size - 1. A
+// product disappears if its uses are different sums, none of which has absorbed another product yet. Products with the
+// fewest uses are taken first, because they block the fewest others.
 int fused_products(std::vector<std::span<const int>> products, std::size_t size);
 
 }  // namespace robcogen::symbolic

@@ -12,16 +12,16 @@
 namespace robcogen::symbolic {
 namespace {
 
-// What most programs of the search for link frames have. A power of two.
+// The number of nodes that suffices for most programs in the search for link frames. A power of two.
 constexpr std::size_t kUsualNodes = 2048;
 
-// Makes the names that statements have unique, and numbers the others by their sections' prefixes.
+// Makes the names of statements unique, and numbers statements without a name under the prefix of their section.
 void name_statements(Program& p) {
   UniqueNames used;
   for (const bool is_own : {true, false})
     for (Statement& s : p.statements)
       if (has_meaning(s) && s.named == is_own) s.name = used.add(s.name);
-  // Two numbered names are different anyway.
+  // Two numbered names always differ.
   std::unordered_map<std::string, int> next_number;
   std::vector<int*> next_of_section;
   for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
@@ -76,7 +76,7 @@ std::size_t Graph::slot(const Node& n, std::uint32_t hash) const {
   return place;
 }
 
-// The nodes stand in the order of their making again.
+// Doubles the hash table. The nodes are inserted in the order of their creation again.
 void Graph::grow() {
   std::vector<std::uint32_t> hashes(nodes_.size());
   for (const KnownNode& known : known_)
@@ -112,7 +112,7 @@ Expression Graph::constant(const Constant& value) {
   Node n;
   n.a = static_cast<int>(constants_before);
   const int node = intern(n);
-  if (nodes_[at(node)].a != n.a) constants_.pop_back();  // it was known
+  if (nodes_[at(node)].a != n.a) constants_.pop_back();  // the constant exists already
   return Expression(this, node, negative);
 }
 

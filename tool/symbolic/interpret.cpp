@@ -49,7 +49,7 @@ Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
   constant.reserve(program.constants.size());
   for (const Constant& c : program.constants) constant.push_back(value_of<Real>(c.number()));
   std::vector<Real> computed;      // lane by lane
-  std::vector<std::size_t> start;  // of each statement's first lane
+  std::vector<std::size_t> start;  // place of each statement's first lane
   computed.reserve(program.statements.size());
   start.reserve(program.statements.size());
 

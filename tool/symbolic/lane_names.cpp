@@ -7,7 +7,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// How many characters all texts begin and end with, up to the border of a word; both parts fit into each text.
+// The number of characters that all texts begin and end with, up to the border of a word. The two parts do not overlap.
 struct Common {
   std::size_t head = 0, tail = 0;
 };
@@ -41,7 +41,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-// `hipassembly` of LF_hipassembly, RF_hipassembly, …; empty where names have nothing in common.
+// The shared part of names: `hipassembly` for LF_hipassembly, RF_hipassembly, …; empty if nothing is shared.
 std::string shared_part(const std::vector<std::string>& names) {
   const Common c = common(names, "_");
   const std::string& first = names.front();
@@ -53,7 +53,7 @@ std::string shared_part(const std::vector<std::string>& names) {
   return result[0] < '0' || result[0] > '9' ? result : "lanes_" + result;
 }
 
-// What is left of a name without its shared part: `LF`.
+// A name without the shared part: `LF`.
 std::string own_part(const std::string& name, const std::string& shared) {
   const std::size_t at = name.find(shared);
   if (shared.empty() || at == std::string::npos) return name;
@@ -77,12 +77,12 @@ std::string without_sign(const std::string& name) {
 std::string common_name(const std::vector<std::string>& names) {
   if (all_equal(names)) return names.front();
   if (const std::string shared = shared_part(names); !shared.empty() && shared != "neg") return shared;
-  // Of mirrored limbs some lanes are negated.
+  // In mirrored limbs some lanes are negated.
   std::vector<std::string> plain;
   for (const std::string& name : names) plain.push_back(without_sign(name));
   if (all_equal(plain)) return plain.front();
   if (const std::string shared = shared_part(plain); !shared.empty()) return shared;
-  // What one limb shares with another part of the robot has another name there.
+  // A value that one limb shares with another part of the robot is named after that part.
   for (std::size_t odd = 0; plain.size() > 2 && odd < plain.size(); ++odd)
     if (const std::string shared = shared_part(without(plain, odd)); !shared.empty()) return shared;
   return "lanes";
@@ -90,7 +90,7 @@ std::string common_name(const std::vector<std::string>& names) {
 
 namespace {
 
-// `link hipassembly of LF, RF: force`; empty where the titles do not differ by limbs alone.
+// The common title of limbs: `link hipassembly of LF, RF: force`; empty if the titles differ by more than the limb.
 std::string title_of_limbs(const std::vector<std::string>& titles) {
   std::vector<std::vector<std::string>> words;
   for (const std::string& title : titles) words.push_back(words_of(title));
@@ -132,7 +132,7 @@ std::string common_title(const std::vector<std::string>& titles) {
     if (const std::vector<std::string> others = without(titles, odd); !all_equal(others))
       result = title_of_limbs(others);
   if (!result.empty()) return result;
-  // Titles that have no words in common: what they begin and end with, and the others once each.
+  // Otherwise: what all titles begin with, each distinct middle part once, and what all titles end with.
   const Common c = common(titles, " :");
   result = titles.front().substr(0, c.head);
   std::vector<std::string> seen;

@@ -1,4 +1,4 @@
-// What the names of corresponding things have in common.
+// Common names for corresponding values of congruent limbs.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace robcogen::symbolic {
 
-// `upperleg_wx` of LF_upperleg_wx, RF_upperleg_wx_neg, …; `lanes` where they have nothing in common.
+// `upperleg_wx` for LF_upperleg_wx, RF_upperleg_wx_neg, …; `lanes` if the names have nothing in common.
 std::string common_name(const std::vector<std::string>& names);
 
-// `link foot of LF, RF: force` of `link LF_foot: force`, `link RF_foot: force`.
+// `link foot of LF, RF: force` for `link LF_foot: force`, `link RF_foot: force`.
 std::string common_title(const std::vector<std::string>& titles);
 
-// `hip_wx` of `hip_wx_neg`.
+// `hip_wx` for `hip_wx_neg`.
 std::string without_sign(const std::string& name);
 
 }  // namespace robcogen::symbolic

@@ -10,7 +10,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// The running sum up to a term, a term of a quantity: `_to_az`, `_of_az`.
+// The suffix of a part of a quantity: `_to_az` for the running sum up to a term with az, `_of_az` for that term.
 std::string part_of_whole(const QuantityNames& known, const Statement& s) {
   if (s.op == Op::gather) return "_lanes";
   const auto quantity = [&](const Operand& o) {
@@ -18,7 +18,7 @@ std::string part_of_whole(const QuantityNames& known, const Statement& s) {
     return name.empty() ? name : parts_of(name).quantity;
   };
   const auto of_product = [&](const Statement& product) {
-    // Beside a sine or a cosine, and what is turned rather than that.
+    // Prefer the factor that is not a sine or cosine: the component that is rotated.
     for (const Operand& o : {product.b, product.a}) {
       const std::string name = known.of(o).name;
       if (!name.empty() && !name.starts_with("s_") && !name.starts_with("c_")) return quantity(o);
@@ -39,7 +39,7 @@ std::string part_of_whole(const QuantityNames& known, const Statement& s) {
   return "_part";
 }
 
-// What is still without a name is a part of what the statement that reads it first is a part of.
+// Names for statements that have none yet: each is a part of the quantity that its first reader is, or is a part of.
 std::map<std::size_t, std::string> names_of_parts(const QuantityNames& known, const std::vector<bool>& is_line) {
   const Program& program = known.program();
   std::map<std::size_t, std::string> result;
@@ -72,7 +72,7 @@ std::vector<std::string> distinct(
   std::vector<std::string> result(known.size());
   UniqueNames used;
   const auto take = [&](std::size_t i, const std::string& name) { result[i] = used.add(name); };
-  // What the algorithm named comes first, and keeps its name.
+  // Names given by the algorithm come first and are kept.
   for (std::size_t i = 0; i < known.size(); ++i)
     if (program.statements[i].named) take(i, program.statements[i].name);
   for (std::size_t i = 0; i < known.size(); ++i)

@@ -1,4 +1,4 @@
-// Operands of statements, from their text.
+// Reads operands of statements from text.
 #pragma once
 
 #include <map>
@@ -8,13 +8,13 @@
 
 namespace robcogen::symbolic {
 
-// Knows what has a name: the inputs of the program, and the statements that were assigned so far. Adds constants to the
-// program, each spelling once. Functions return what is wrong; an empty text when nothing is.
+// Knows the names of the program's inputs and of the statements that were assigned so far. Adds constants to the
+// program, each spelling once. Functions return an error message, or an empty text if there is no error.
 class OperandReader {
  public:
   explicit OperandReader(Program& program) : program_(program) {}
 
-  // The next statement of the program gets this name.
+  // Gives this name to the next statement of the program.
   std::string assign(const std::string& name);
 
   // `-x`, `x@2` (a lane), `q[0]`, `0.25`, `pi:1:2`.

@@ -9,7 +9,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// Reads line by line; the first thing that is wrong ends it.
+// Reads line by line and stops at the first error.
 class Reader {
  public:
   explicit Reader(const std::string& text) : lines_(text) {}

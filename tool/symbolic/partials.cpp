@@ -34,7 +34,7 @@ Partials partials(Graph& graph, std::size_t i) {
       return {cos(a), {}};
     case Op::cosine:
       return {-sin(a), {}};
-    case Op::arc_tangent: {  // of numbers whose squares have the sum one
+    case Op::arc_tangent: {  // of a sine and a cosine, whose squares add up to one
       const Expression cosine = node.b_negative ? -b : b;
       return {cosine, [a, is_negative = node.b_negative] { return is_negative ? a : -a; }};
     }
@@ -57,7 +57,7 @@ Expression derivative(const Expression& of, const Expression& by) {
 
 namespace {
 
-// By node, up to the last one of these: whether one of them depends on it, through others than those that change.
+// By node, up to the last of these expressions: whether one of them depends on it without passing a given one.
 std::vector<bool> needed_nodes(
     const Graph& graph,
     const std::vector<Expression>& of,

@@ -8,13 +8,13 @@
 
 namespace robcogen::symbolic {
 
-// Of an operation by its operands; the second on demand.
+// The derivatives of an operation by its operands; the second one is computed on demand.
 struct Partials {
   Expression a;
   std::function<Expression()> b;
 };
 
-// Of a node that is an operation.
+// The partial derivatives of a node, which must be an operation.
 Partials partials(Graph& graph, std::size_t node);
 
 }  // namespace robcogen::symbolic

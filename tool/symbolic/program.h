@@ -13,8 +13,9 @@
 
 namespace robcogen::symbolic {
 
-// The arc tangent is that of two numbers: the angle, from -PI to PI, whose sine is the first and whose cosine is the
-// second. The last two occur in programs with lanes only: several scalars as one value, and the sum of a value's lanes.
+// `arc_tangent` has two operands: it is the angle, from -PI to PI, whose sine is the first and whose cosine is the
+// second. The last two operations occur in programs with lanes only: `gather` makes several scalars one value, and
+// `sum_lanes` adds the lanes of a value.
 enum class Op : std::uint8_t {
   add,
   subtract,
@@ -38,7 +39,7 @@ struct Operand {
   Kind kind = Kind::constant;
   int index = 0;          // into Program::constants, the flat list of input elements, or Program::statements
   bool negative = false;  // costs nothing: passes and back ends fold it into an addition or a subtraction
-  int lane = -1;          // of a statement with lanes: this lane of it, a scalar; -1: the whole
+  int lane = -1;          // of a statement with lanes: one lane, a scalar; -1: all lanes
   friend bool operator==(const Operand&, const Operand&) = default;
 };
 
@@ -50,10 +51,10 @@ struct Statement {
   int section = 0;   // into Program::sections
   bool named =
       false;  // the algorithm gave it a name of its own: passes and back ends keep it as a statement of its own
-  bool described = false;  // the name says what the value is, and nothing else follows from it
-  // Lanes: how many numbers the value is; what is done to it is done to each. A scalar operand is the same in all.
+  bool described = false;  // the name says what the value is, but has no other effect
+  // Number of lanes. The operation is applied in each lane; a scalar operand is the same in all of them.
   int width = 1;
-  std::vector<Operand> lanes = {};  // of gather: a scalar each
+  std::vector<Operand> lanes = {};  // of gather: a scalar per lane
 };
 
 constexpr bool is_sum(Op op) {
@@ -84,7 +85,7 @@ void for_each_operand(AnyStatement& s, F f) {
   if (is_binary(s.op)) f(s.b);
 }
 
-// What the elements of an array mean. Back ends choose types from it, and nothing else about the algorithm.
+// What the elements of an array mean. Back ends choose types by it and know nothing else about the algorithm.
 enum class Role {
   joint_position,           // rad or m
   joint_sine,               // of joint positions, then of sums of joint positions
@@ -107,7 +108,7 @@ enum class Role {
   jacobian,                 // 6 x k, angular rows first: of the right frame's origin, in axes of the left frame
   jacobian_in_target,       // the same in axes of the right frame
   spatial_jacobian,         // 6 x k, angular rows first: of twists about the left frame's origin, in its axes
-  jacobian_derivative,      // 6 x k: of `jacobian`, by time
+  jacobian_derivative,      // 6 x k: time derivative of `jacobian`
   matrix,                   // any other matrix, also one of a single row or column
   frame_velocity,           // 6: twist, angular first
   frame_acceleration,       // 6: spatial acceleration, angular first
@@ -117,12 +118,12 @@ enum class Role {
   mass,                     // 1: kg
   parameters,               // kinematics, then dynamics parameters
   variables,                // of a document of transforms: m or rad
-  contact_activity,         // 1 a contact: 1 where it holds, 0 where it is open
+  contact_activity,         // one per contact: 1 if it holds, 0 if it is open
   contact_compliance,       // not negative
   value,                    // anything else
 };
 
-// Whether the columns are those of joints of a chain.
+// Whether the columns belong to the joints of a chain.
 constexpr bool is_jacobian(Role role) {
   return role == Role::jacobian || role == Role::jacobian_in_target || role == Role::spatial_jacobian ||
          role == Role::jacobian_derivative;
@@ -141,7 +142,7 @@ struct InputArray {
   Role role = Role::value;
   std::vector<std::string> elements;  // a label for each element: the joint's name, `wx`, …
   std::vector<int> quaternions = {};  // the elements that begin unit quaternions: w, x, y, z
-  int followers = 0;                  // the last elements, which follow the others: of joint positions
+  int followers = 0;                  // of joint positions: how many of the last elements follow the others
 };
 
 struct OutputArray {
@@ -176,7 +177,7 @@ struct Program {
   }
 };
 
-// How many lanes an operand has. Only a statement with several lanes has single lanes.
+// The number of lanes of an operand: those of a statement that is read as a whole, otherwise one.
 inline int width_of(const Program& p, const Operand& o) {
   return is_statement(o) && o.lane < 0 ? p.statements[static_cast<std::size_t>(o.index)].width : 1;
 }

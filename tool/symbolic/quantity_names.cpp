@@ -14,7 +14,7 @@ Quantity quantity_called(const std::string& name) {
   return {plain, plain.size() < name.size()};
 }
 
-// What elements of such an array are called: `qd_HFE`.
+// The prefix of names for elements of an array: `qd_` in `qd_HFE`.
 std::string prefix_of(const InputArray& array) {
   if (array.role == Role::base_velocity) return "base_";
   const bool is_labelled = array.role == Role::joint_sine || array.role == Role::joint_cosine ||
@@ -22,7 +22,7 @@ std::string prefix_of(const InputArray& array) {
   return is_labelled ? "" : array.name + "_";
 }
 
-// `hip_wx_wy` of two quantities of one link.
+// Joins two names, with the link named once if both are quantities of one link: `hip_wx_wy`.
 std::string joined(const std::string& a, const std::string& word, const std::string& b) {
   const NameParts x = parts_of(a), y = parts_of(b);
   return x.subject == y.subject && !x.subject.empty() ? a + word + y.quantity : a + word + b;
@@ -55,7 +55,7 @@ Quantity product(const QuantityNames& names, const Statement& s) {
   return {joined(a.name, "_", b.name), negative};
 }
 
-// The factor beside a sine or a cosine of an angle, which `angle` receives: `s_KFE`.
+// The factor that a term multiplies by a sine or cosine, whose name `angle` receives: `s_KFE`.
 Operand beside_angle(const QuantityNames& names, const Operand& term, std::string& angle) {
   const Statement* product = names.statement(term);
   if (!product || product->op != Op::multiply || term.lane >= 0) return {};
@@ -70,7 +70,8 @@ Operand beside_angle(const QuantityNames& names, const Operand& term, std::strin
   return {};
 }
 
-// c x - s y, s x + c y: a component of a vector that an angle turns, the one that its cosine multiplies.
+// c x - s y, s x + c y: a component of a vector rotated by an angle, named after the component that the cosine
+// multiplies.
 Quantity component_of_turned(const QuantityNames& names, const Statement& s) {
   std::string of_a, of_b;
   Operand a = beside_angle(names, s.a, of_a), b = beside_angle(names, s.b, of_b);
@@ -81,7 +82,7 @@ Quantity component_of_turned(const QuantityNames& names, const Statement& s) {
   return {along.name + "_by" + of_a.substr(1), along.negative};
 }
 
-// A quantity and a multiple of another one of the same link: the same quantity about another point.
+// A quantity plus a multiple of another one of the same link: the same quantity about another point.
 Quantity moved_value(const QuantityNames& names, const Statement& s, const Quantity& a, const Quantity& b) {
   for (const auto& [kept, other] : {std::pair(a, s.b), std::pair(b, s.a)}) {
     const Statement* product = names.statement(other);
@@ -96,7 +97,7 @@ Quantity moved_value(const QuantityNames& names, const Statement& s, const Quant
   return {};
 }
 
-// w_r w_c -+ wd, or minus the squares of two.
+// An element of U = [wd]x + [w]x [w]x: w_r w_c -+ wd, or minus the squares of two components.
 std::optional<Quantity> element_of_U(const Quantity& a, const Quantity& b) {
   for (const auto& [rate, product] : {std::pair(a, b), std::pair(b, a)}) {
     const NameParts d = parts_of(rate.name);
@@ -140,7 +141,7 @@ Quantity sum(const QuantityNames& names, const Statement& s) {
   if (const auto u = element_of_U(a, b)) return *u;
   const NameParts x = parts_of(a.name), y = parts_of(b.name);
   if (x.subject.empty() || x.subject != y.subject) return {};
-  // The positive term first.
+  // The positive term comes first.
   const bool swaps = a.negative && !b.negative;
   const bool differ = a.negative != b.negative;
   const std::string& first = swaps ? b.name : a.name;
@@ -148,7 +149,7 @@ Quantity sum(const QuantityNames& names, const Statement& s) {
   return {joined(first, differ ? "_minus_" : "_plus_", second), a.negative && b.negative};
 }
 
-// What lanes have in common; numbers have no name.
+// The name that the lanes have in common; numbers have no name.
 Quantity gathered(const QuantityNames& names, const Statement& s) {
   std::vector<std::string> lanes;
   bool negative = true;
@@ -162,7 +163,7 @@ Quantity gathered(const QuantityNames& names, const Statement& s) {
   return name.starts_with("lanes") ? Quantity() : Quantity{name, negative};
 }
 
-// From the names of its operands.
+// The name of a statement that follows from the names of its operands.
 Quantity composed(const QuantityNames& names, const Statement& s) {
   Quantity result;
   switch (s.op) {
@@ -219,7 +220,7 @@ QuantityNames::QuantityNames(const Program& program) : program_(program), statem
   for (std::size_t i = 0; i < statements_.size(); ++i) {
     const Statement& s = program.statements[i];
     statements_[i] = has_meaning(s) ? quantity_called(s.name) : composed(*this, s);
-    if (!has_meaning(s) && given.contains(text(statements_[i]))) statements_[i] = {};  // it is something else
+    if (!has_meaning(s) && given.contains(text(statements_[i]))) statements_[i] = {};  // another value has this name
   }
 }
 

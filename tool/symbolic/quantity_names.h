@@ -1,5 +1,5 @@
-// Names for the values of a program that tell what they are: those that the algorithm gave, and those that follow from
-// the names of what a value is computed from.
+// Names that say what the values of a program are: names given by the algorithm, and names that follow from those of
+// the operands.
 #pragma once
 
 #include <string>
@@ -13,23 +13,23 @@ namespace robcogen::symbolic {
 // Longer names make lines that are hard to read.
 inline constexpr std::size_t kLongestQuantityName = 28;
 
-// A value under a name that does not tell its sign.
+// The name of a value without its sign, and the sign.
 struct Quantity {
-  std::string name;  // empty: nothing is known of it
+  std::string name;  // empty if nothing is known about the value
   bool negative = false;
 };
 
-// With the sign: `hip_wx_neg`.
+// The name with the sign: `hip_wx_neg`.
 std::string text(const Quantity& quantity);
 
-// `hip_wx` as link and quantity.
+// A name such as `hip_wx`, split into link and quantity.
 struct NameParts {
   std::string subject, quantity;
 };
 
 NameParts parts_of(const std::string& name);
 
-// Of the inputs and statements of a program.
+// The quantities of the inputs and statements of a program.
 class QuantityNames {
  public:
   explicit QuantityNames(const Program& program);

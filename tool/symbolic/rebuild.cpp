@@ -25,7 +25,7 @@ Expression Rebuild::read(const Operand& o) {
 
 Expression Rebuild::compute(std::size_t i) {
   const Statement& s = program_.statements[i];
-  // One after the other: the order in which nodes are made is the order of the program, with every compiler.
+  // The operands are read one after the other, so that every compiler creates the nodes in the order of the program.
   const Expression a = read(s.a);
   const Expression b = is_binary(s.op) ? read(s.b) : Expression();
   return apply(s.op, a, b);

@@ -1,5 +1,5 @@
-// A function whose results are solutions of one linear system for many right-hand sides: a loop over them in the place
-// of code for each.
+// A function whose results are solutions of one linear system for many right-hand sides, as a loop over them instead of
+// code for each.
 #pragma once
 
 #include <initializer_list>
@@ -12,35 +12,35 @@
 namespace robcogen::symbolic {
 
 struct SolvedColumns {
-  // Of the function's inputs: its outputs, with right-hand sides in the place of solutions, and last `factor`, what
-  // the system is solved with.
+  // Has the function's inputs, and its outputs with right-hand sides in place of the solutions. The last output is
+  // `factor`, with which the system is solved.
   Program right_sides;
-  // One column: inputs `factor` and `b`, output `x`.
+  // Solves one column: inputs `factor` and `b`, output `x`.
   Program solution;
 
-  // The columns of an output that are solutions, the first ones.
+  // The first columns of an output, which are solutions.
   struct Block {
     int output = 0;
     int columns = 0;
     bool of_limbs = false;  // with Limbs: a column for each joint of each limb, zero in the rows of other limbs
   };
   std::vector<Block> blocks;
-  bool is_long = false;  // without the loop, the code would be too long for compilers and for caches of instructions
+  bool is_long = false;  // without the loop, the code would be too long for compilers and instruction caches
 
-  // Limbs of equal structure, one after another in rows and columns behind the rows that they have in common: a column
-  // of each limb is solved at a time, one in each lane.
+  // Limbs of equal structure, whose rows and columns follow one after another, behind the rows that they have in
+  // common. One column of each limb is solved at a time, each limb in its own lane.
   struct Limbs {
     int count = 0;
     int joints = 0;  // of each
-    // Elements of the factor: those of the first limb, each followed by its counterparts.
+    // Elements of the factor that belong to limbs: each one of the first limb, followed by its counterparts.
     std::vector<int> own;
-    // Inputs `factor`; `own`, those of the lane's limb; `is_limb`, one for that limb and zero for others; `b`, common
-    // rows and those of the limb. Output `x`, all rows.
+    // Inputs: `factor`; `own`, the elements of the lane's limb; `is_limb`, one for that limb and zero for others; `b`,
+    // the common rows and those of the limb. Output: `x`, all rows.
     Program solution;
   };
   std::optional<Limbs> limbs = {};
 
-  // Makes outputs of these names blocks, in their own order: all of their columns, or so many.
+  // Makes the outputs of these names blocks, in the order of the outputs: all of their columns, or the first `columns`.
   struct NamedBlock {
     std::string_view output;
     int columns = -1;

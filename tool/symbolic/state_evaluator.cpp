@@ -6,7 +6,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// Numbers without pattern that are the same everywhere (splitmix64).
+// Pseudo-random numbers that are the same on every machine (splitmix64).
 std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -14,7 +14,7 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Between -1 and 1, with few enough digits for a float.
+// A number between -1 and 1 that a float represents exactly.
 double number_of(const std::string& array, std::size_t element, std::size_t state) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : array) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
@@ -23,7 +23,7 @@ double number_of(const std::string& array, std::size_t element, std::size_t stat
   return static_cast<double>(static_cast<std::int64_t>(bits >> 47) - (1 << 16)) / kScale;
 }
 
-// As numbers of a float, whose norm is one but for their rounding.
+// A unit quaternion rounded to float; its norm is one up to that rounding.
 std::array<double, 4> unit_quaternion(const std::string& array, std::size_t first, std::size_t state) {
   std::array<double, 4> q{};
   double square = 0.0;

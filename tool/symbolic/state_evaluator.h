@@ -53,10 +53,11 @@ Real rounded(const DoubleDouble& x) {
     return static_cast<Real>(x.high);
 }
 
-// Of an integer, all its digits.
+// An integer with all its digits.
 DoubleDouble exact(std::int64_t n);
 
-// As in the generated code literals are doubles, which are what the results are judged by; multiples of PI are exact.
+// The value of a literal. As in the generated code it is rounded to double, also in the reference; multiples of PI are
+// exact there.
 template <class Real>
 Real literal_as(const Number& n) {
   if constexpr (std::is_same_v<Real, DoubleDouble>) {
@@ -67,8 +68,8 @@ Real literal_as(const Number& n) {
   }
 }
 
-// The element of an input in a state. `parameters` are the values of the input of that role; ones where they are
-// missing.
+// The value of an input element in a state. `parameters`: the values of the input with the role `parameters`; missing
+// ones are one.
 double input_of(const InputArray& array, std::size_t element, std::size_t state, const std::vector<double>& parameters);
 
 // Runs programs in all states at once.
@@ -105,7 +106,7 @@ class StateEvaluator {
   const Program& program_;
   std::vector<Values> inputs_, constants_;
   std::vector<Values> computed_;    // lane by lane
-  std::vector<std::size_t> first_;  // lane of each statement
+  std::vector<std::size_t> first_;  // first lane of each statement
 
   const Values& whole(const Operand& o, int lane) const {
     const std::size_t i = at(o.index);

@@ -1,4 +1,4 @@
-// Programs as text, and back: what pass tests read and write. One thing a line:
+// Programs as text and back: the format that pass tests read and write. One item a line:
 //     program inverse_dynamics
 //     input q joint_position SLIDE HFE
 //     output tau joint_force 2 1
@@ -17,8 +17,8 @@
 
 namespace robcogen::symbolic {
 
-// Reads back: print(parse(print(p))) == print(p). Text keeps of a constant its double, and whether it is a multiple of
-// PI; constants that nothing reads are left out.
+// The text reads back: print(parse(print(p))) == print(p). It keeps the double of a constant and whether it is a
+// multiple of PI; constants that nothing reads are left out.
 std::string print(const Program& program);
 
 // nullopt, with a message `line N: …` in `error`, when the text is not a program.

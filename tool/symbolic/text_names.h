@@ -1,4 +1,4 @@
-// The words of programs as text.
+// The keywords of programs as text.
 #pragma once
 
 #include <array>

@@ -16,7 +16,7 @@ int width_of_result(const Program& p, const Statement& s) {
 
 namespace {
 
-// Whether the lanes of a statement agree, given sound operands.
+// Whether the numbers of lanes in a statement agree, given valid operands.
 bool has_sound_lanes(const Program& p, const Statement& s) {
   const auto is_scalar = [&](const Operand& o) { return width_of(p, o) == 1; };
   if (s.width != width_of_result(p, s)) return false;

@@ -11,7 +11,7 @@ namespace robcogen::symbolic {
 // constants are finite and not negative, output sizes are right. Returns the first fault, or an empty text.
 std::string verify(const Program& program);
 
-// The number of lanes that follows from a statement's operands.
+// The number of lanes of a statement that follows from its operands.
 int width_of_result(const Program& program, const Statement& s);
 
 }  // namespace robcogen::symbolic

@@ -10,7 +10,7 @@
 namespace robcogen::symbolic {
 namespace {
 
-// The nodes that the outputs of a program need, and the products among them that disappear in sums.
+// The nodes that the outputs of a program need, and the products among them that are fused into sums.
 class NeededNodes {
  public:
   NeededNodes(const Graph& graph, const std::vector<std::vector<Expression>>& outputs)
@@ -33,14 +33,14 @@ class NeededNodes {
  private:
   struct Uses {
     int sums = 0;
-    bool is_elsewhere = false;  // by what is not a sum
+    bool is_elsewhere = false;  // by something other than a sum
   };
 
   const Graph& graph_;
   const std::vector<Node>& nodes_;
   std::vector<char> needed_;
   std::vector<Uses> uses_;
-  Weight found_;  // products not fused
+  Weight found_;  // before products are fused
 
   bool is_product(std::size_t i) const {
     return nodes_[i].kind == Node::Kind::operation && nodes_[i].op == Op::multiply;
@@ -66,7 +66,7 @@ class NeededNodes {
   }
 
   int fused() const {
-    std::vector<int> next(nodes_.size(), -1);  // of a product: where its next sum is noted
+    std::vector<int> next(nodes_.size(), -1);  // by product: place in `sums` of its next use
     int length = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const Uses& uses = uses_[i];

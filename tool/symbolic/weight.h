@@ -1,4 +1,4 @@
-// What a program would cost, from the graph that it is traced in: for those that are only compared.
+// The cost of a program, from the graph that it is traced in: for programs that are only compared.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 namespace robcogen::symbolic {
 
 struct Weight {
-  int work = 0;  // as count.h has it, of a program without parameters
+  int work = 0;  // as defined in count.h, for a program without parameters
   long statements = 0;
   double largest_constant = 0.0;
 };
 
-// Of the program with these outputs.
+// The weight of the program with these outputs.
 Weight weight(const Graph& graph, const std::vector<std::vector<Expression>>& outputs);
 
 }  // namespace robcogen::symbolic

@@ -19,7 +19,7 @@ double dot(const Point& a, const Point& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Tenths of a pixel, and no negative zero.
+// Rounded to tenths of a pixel, without negative zero.
 std::string pixels(double value) {
   const double rounded = std::round(value * 10) / 10;
   return fmt::format("{:.1f}", rounded == 0 ? 0.0 : rounded);
@@ -39,7 +39,7 @@ std::size_t length(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-// Where labels of a point may stand, from the best place on: the offset of their baseline, and the anchor.
+// The places for the label of a point, best first: the offset of its baseline, and its anchor.
 struct LabelPlace {
   double dx = 0, dy = 0;
   const char* anchor = "start";

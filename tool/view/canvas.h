@@ -9,21 +9,22 @@ namespace robcogen::view {
 
 using Point = std::array<double, 3>;
 
-// A label is placed near its point where it hides no other; of those that find no place, the last ones are left out.
+// Each label is placed near its point, where it hides no other. Labels that find no place are left out; earlier labels
+// take precedence.
 class Canvas {
  public:
-  // The viewer in degrees: azimuth from x to y, elevation towards z.
+  // The direction to the viewer in degrees: azimuth from x to y, elevation towards z.
   Canvas(double azimuth, double elevation);
 
-  // `attributes` is put into the element: class and style. What is nearer to the viewer is drawn later.
+  // `attributes` are put into the element: class and style. Elements nearer to the viewer are drawn later.
   void line(const Point& from, const Point& to, std::string attributes, double nearer = 0);
   void disc(const Point& centre, double pixels, std::string attributes, double nearer = 0);
   void polygon(const std::vector<Point>& corners, std::string attributes, double nearer = 0);
-  // Elements about the origin of the drawing, which is moved to the point.
+  // Elements that are drawn about the origin and moved to the point.
   void symbol(const Point& centre, std::string elements, double nearer = 0);
   void label(const Point& at, std::string text, std::string attributes);
 
-  // The elements, fitted into a square of that many pixels whose corner is at (x, y).
+  // The elements, fitted into a square of this many pixels, whose corner is at (x, y).
   std::string elements(double x, double y, double pixels) const;
 
  private:
@@ -48,7 +49,7 @@ class Canvas {
   std::vector<Label> labels_;
 };
 
-// The text in an SVG.
+// The text, escaped for SVG.
 std::string escaped(const std::string& text);
 
 }  // namespace robcogen::view

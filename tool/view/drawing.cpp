@@ -18,7 +18,7 @@ using backend::JointType;
 constexpr double kPaper = 640;   // pixels, of the robot and of the pattern
 constexpr double kCaption = 34;  // pixels, of the title and of the legend
 
-// Colours of middle lightness, which stand out from white and from black.
+// Colours of medium lightness, which stand out from both white and black.
 constexpr const char* kStyle =
     "<style>text{font:12px sans-serif;fill:#7d7d7d}line,polygon,path{stroke-linecap:round;stroke-linejoin:round}"
     ".bar{stroke:#6d8fb5}.tip{stroke:#6d8fb5;stroke-opacity:.55}.base{fill:#8a8a8a;fill-opacity:.3;stroke:#8a8a8a}"
@@ -32,7 +32,7 @@ std::array<double, 3> origin(const Pose& pose) {
   return {pose[0][3], pose[1][3], pose[2][3]};
 }
 
-// The point so far along an axis of the pose.
+// The point at this distance along an axis of the pose.
 std::array<double, 3> along(const Pose& pose, std::size_t axis, double distance) {
   std::array<double, 3> p = origin(pose);
   for (std::size_t i = 0; i < 3; ++i) p[i] += distance * pose[i][axis];
@@ -43,7 +43,7 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// A centre of mass as technical drawings have it: a disc whose quarters alternate.
+// A centre of mass as in technical drawings: a disc whose quarters alternate.
 std::string centre_of_mass(double r) {
   const std::string all = fmt::format("{0:.1f}", r);
   return fmt::format(
@@ -101,7 +101,7 @@ void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
   d.canvas.disc(origin(child), d.width * 0.75, turns ? "class=\"hub\"" : "class=\"sledge\"", 0.012 * d.length);
 }
 
-// A link without children reaches its farthest frame, or else its centre of mass. Rays lead to other frames.
+// A link without children reaches its farthest frame, or otherwise its centre of mass. Rays lead to other frames.
 void add_tips(Drawing& d) {
   const backend::Library& library = d.robot.library;
   const std::string tip = fmt::format("class=\"tip\" stroke-width=\"{:.1f}\"", d.width * 0.6);
@@ -123,7 +123,7 @@ void add_tips(Drawing& d) {
   }
 }
 
-// What closes a loop: a disc, or between frames that keep a distance a bar.
+// A disc that closes a loop, or a bar between frames that keep a distance.
 void add_loop(Drawing& d, const ViewedLoop& loop) {
   const auto [from, to] = loop.frames;
   const Point a = origin(d.posture.frames[from]), b = origin(d.posture.frames[to]);
@@ -153,7 +153,7 @@ void add_masses(Drawing& d) {
   d.canvas.symbol(centre, centre_of_mass(8), 0.04 * d.length);
 }
 
-// Half of the distance between neighbouring joints, in the middle.
+// The median distance from the origin of a link to the joints that it carries.
 double typical_bar(const Drawing& d) {
   std::vector<double> lengths;
   const std::vector<JointData> joints = d.robot.library.all_joints();

@@ -1,4 +1,4 @@
-// The robot as a drawing: SVG that is readable on white and on dark paper.
+// The robot as a drawing: an SVG that is readable on white and on dark paper.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace robcogen::view {
 
-// Which elements of the joint-space inertia matrix are not zero in every position; rows of 0 and 1.
+// The elements of the joint-space inertia matrix that are not zero in every position.
 struct Pattern {
-  std::vector<std::string> names;  // of rows: base wx … base vz where the base floats, then joints
+  std::vector<std::string> names;  // of rows: base wx … base vz if the base floats, then joints
   std::vector<std::vector<bool>> rows;
 };
 
-// Of the robot as the document has it. A Failure when it has no mass properties.
+// The pattern of the robot as the document has it. Throws a Failure if the robot has no mass properties.
 Pattern inertia_pattern(const driver::Model& model);
 
 struct DrawingOptions {
-  double azimuth = -60, elevation = 20;  // of the viewer seen from the robot, degrees
-  const Pattern* pattern = nullptr;      // drawn beside the robot, where there is one
+  double azimuth = -60, elevation = 20;  // of the viewer as seen from the robot, degrees
+  const Pattern* pattern = nullptr;      // drawn next to the robot; null: none
 };
 
-// Links as bars between the origins of their joints, joint axes, frames of the user with names, centres of mass. The
-// text follows from the arguments alone.
+// Draws links as bars between the origins of their joints, joint axes, user frames with names, and centres of mass. The
+// text depends on the arguments alone.
 std::string draw(const ViewedRobot& robot, const Posture& posture, const DrawingOptions& options);
 
 }  // namespace robcogen::view

@@ -1,4 +1,4 @@
-# Writes the source of page_file: the texts of the FILES.
+# Writes the source of the function page_file, which contains the texts of the FILES.
 #
 # cmake -D FILES=list -D OUTPUT=file -P embed.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -7,7 +7,7 @@ string(APPEND text "std::string_view page_file(std::string_view name) {\n")
 foreach(file IN LISTS FILES)
   cmake_path(GET file FILENAME name)
   file(READ ${file} content)
-  # Compilers limit the length of a literal: one for at most 8000 characters, which ends with a line.
+  # Compilers limit the length of a literal, so each has at most 8000 characters and ends at the end of a line.
   string(LENGTH "${content}" length)
   string(APPEND text "  if (name == \"${name}\")\n    return ")
   set(at 0)

@@ -17,19 +17,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Each after those that it uses.
+// Each module comes after those that it uses.
 constexpr const char* kScripts[] = {"vectors.js", "positions.js", "posture.js", "camera.js",
                                     "picture.js", "panels.js",    "main.js"};
 
-// As the text of a script element, which these sequences would end or change; in strings they mean the same.
+// The text for a script element. These sequences would end or change the element; in strings, the replacements mean the
+// same.
 std::string in_script(const std::string& text) {
   return replaced(replaced(text, "</", "<\\/"), "<!--", "<\\!--");
 }
 
 constexpr std::string_view kExport = "export ", kImport = "import ";
 
-// A module as a part of another one: without what it imports, and with what it exports as plain declarations, whose
-// names go to `names`.
+// A module as a part of another one: without its imports, and with its exports as plain declarations, whose names are
+// added to `names`.
 std::string inlined(std::string_view module, std::vector<std::string>* names = nullptr) {
   std::string result;
   for (std::size_t begin = 0; begin < module.size();) {
@@ -56,13 +57,14 @@ std::string generated(const backend::Library& library) {
          " };\n})();\n";
 }
 
-// ---- What a warning is about.
+// ---- The subject of a warning.
 
 bool is_quoted(const std::string& message, const std::string& name) {
   return message.find("'" + name + "'") != std::string::npos;
 }
 
-// The link that a message names, or whose joint it names; else the one that is declared last before its place; or -1.
+// The link that a message names, or whose joint it names; otherwise the link that is declared last before the message's
+// place; or -1.
 int link_of(const Diagnostic& d, const model::KinematicTree& tree) {
   for (std::size_t l = 0; l < tree.links.size(); ++l)
     if (is_quoted(d.message, tree.links[l].name)) return static_cast<int>(l);
@@ -157,7 +159,7 @@ std::string page(
   for (const char* name : kScripts) script += "\n" + inlined(page_file(name));
   const Json data = data_of(model, robot, diagnostics, options);
   const std::string json = replaced(data.dump(1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
-  // One after the other: no text that is put in is searched for what follows.
+  // The places are filled in order, so that inserted text is not searched for the places after it.
   std::string result;
   std::string_view rest = page_file("page.html");
   for (const auto& [place, text] :

@@ -9,12 +9,12 @@
 
 namespace robcogen::view {
 
-// What the page begins with.
+// The initial state of the page.
 struct PageOptions {
-  std::vector<double> q, parameters;  // an element a coordinate, and a parameter
+  std::vector<double> q, parameters;  // one element per coordinate, and one per parameter
 };
 
-// `model`: the robot was `viewed` of it. The warnings are listed, each beside the link or joint that it is about.
+// `robot` must be `viewed(model)`. The page lists the warnings, each with the link or joint that it is about.
 std::string page(
     const driver::Model& model,
     const ViewedRobot& robot,

@@ -1,11 +1,11 @@
-// The files of the folder page, which the build puts into the program.
+// The files of the folder page, which the build embeds in the program.
 #pragma once
 
 #include <string_view>
 
 namespace robcogen::view {
 
-// The text of the file of this name; empty when there is none.
+// The text of the file of this name; empty if there is none.
 std::string_view page_file(std::string_view name);
 
 }  // namespace robcogen::view

@@ -17,7 +17,7 @@ using symbolic::Role;
 // The groups whose functions are shown.
 const std::vector<std::string> kGroups = {"bias_forces", "forward_dynamics", driver::kTransformsGroup};
 
-// The base held, and every frame wanted.
+// The model with its base held, and with all frames.
 driver::Model held(const driver::Model& model) {
   driver::Model result = model;
   driver::Robot robot = *model.robot();
@@ -97,7 +97,7 @@ ViewedRobot viewed(const driver::Model& model) {
   for (const std::string& group : kGroups)
     if (algorithm::is_available(tree, group)) groups.push_back(group);
   driver::LibraryOptions options = {.names = {"robot"}, .groups = groups};
-  options.steps.effort = 0;  // a picture is wanted at once
+  options.steps.effort = 0;  // a picture should appear at once
   ViewedRobot result;
   result.library = driver::library(robot, options);
   std::vector<backend::Function>& functions = result.library.functions;

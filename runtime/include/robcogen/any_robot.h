@@ -5,10 +5,10 @@
 //     const robcogen::AnyRobot robot = robcogen::make_any<hyl::Robot>(hyl::reflection::robot);
 //     robot.inverse_dynamics(q, v, qdd, tau);
 //
-// Vectors of positions q have position_count() elements (positions.h: more than dof() with spherical joints), those of
-// joint forces tau dof() elements. Velocities v, accelerations a and generalised forces
-// f have size() elements: with a floating base, its twist, spatial acceleration or wrench (angular first, base
-// coordinates), then the joints; otherwise only the joints. All units are SI.
+// Positions q have position_count() elements (positions.h: more than dof() with spherical joints), joint forces tau
+// have dof() elements. Velocities v, accelerations a and generalised forces f have size() elements: with a floating
+// base, its twist, spatial acceleration or wrench (angular first, base coordinates), then the joints; otherwise only
+// the joints. All units are SI.
 //
 // Gravity (m/s^2) is in base coordinates. With a fixed base it may be omitted: the default is standard gravity. With a
 // floating base it encodes the orientation of the base, and without it std::invalid_argument is thrown.

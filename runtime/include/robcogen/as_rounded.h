@@ -11,7 +11,8 @@
 #define ROBCOGEN_INLINE static inline
 #endif
 
-// Whether the compiler may reassociate sums, as far as it defines a macro: gcc does since version 12, clang does not.
+// Defined if the compiler is known not to reassociate sums. gcc reports this by a macro since version 12, clang does
+// not.
 #if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__INTEL_COMPILER) && !defined(__NVCOMPILER)
 #if !defined(__ASSOCIATIVE_MATH__)
 #define ROBCOGEN_KEEPS_ORDER 1
@@ -20,8 +21,8 @@
 #define ROBCOGEN_KEEPS_ORDER 1
 #endif
 
-// The assembly constraint for registers of numbers, and the size in bytes from which a vector of the compiler fills
-// such a register. "m" is memory: valid on any processor.
+// Assembly constraints for registers that hold a number or a compiler vector, and the smallest size in bytes of a
+// vector that fits such a register. "m" is memory, which is valid on any processor.
 #if defined(__AVX512F__)
 #define ROBCOGEN_REGISTER_OF_DOUBLE "+v"
 #define ROBCOGEN_REGISTER_OF_FLOAT "+v"
@@ -60,8 +61,8 @@ namespace robcogen {
 namespace {  // separate in each file, like lanes
 namespace lanes {
 
-// x, with its computation hidden from the compiler: with -ffast-math, -Ofast or -funsafe-math-optimizations it would
-// replace (a + b) - b by a, and lose intended rounding. Costs no instruction.
+// Returns x and hides its computation from the compiler, which with -ffast-math, -Ofast or -funsafe-math-optimizations
+// would replace (a + b) - b by a and lose intended rounding. Costs no instruction.
 #if defined(ROBCOGEN_KEEPS_ORDER)
 template <class Numbers>
 ROBCOGEN_INLINE Numbers as_rounded(const Numbers& x) noexcept {

@@ -7,7 +7,7 @@
 
 #include "robcogen/level.h"
 
-// Whether batches are compiled for several processors, with a choice when the program runs.
+// Whether functions over many states are compiled for several processors, with a choice when the program runs.
 #define ROBCOGEN_BATCH_LEVELS ROBCOGEN_HAS_LEVELS
 
 namespace Eigen {
@@ -23,8 +23,8 @@ using robcogen::Level;
 
 inline constexpr bool kHasLevels = ROBCOGEN_BATCH_LEVELS != 0;
 
-// Which elements of a symmetric matrix are written. Lower: the diagonal and what is below it; what is above it is left
-// as it is.
+// Which elements of a symmetric matrix are written. `lower` writes the diagonal and the elements below it, and leaves
+// those above it unchanged.
 enum class Storage { full, lower };
 
 // Element k of state i is at data[k * element + i * state].
@@ -38,7 +38,7 @@ struct Strided {
   constexpr Strided from(std::ptrdiff_t k) const noexcept { return {data + k * element, element, state}; }
 };
 
-// Stands for the type of one state's value where a plain array of numbers is given.
+// Value type of an array of plain numbers for which the caller names no type.
 struct AnyVector {};
 
 // Structure of arrays: element k of state i is at data[k * stride + i]. Fastest: states are loaded without shuffles.
@@ -56,8 +56,8 @@ struct ByState {
   std::ptrdiff_t first = 0;
 };
 
-// `stride` is at least the number of states. Best are data that are aligned to 64 bytes and a stride that is a multiple
-// of 64 and not of 4096 bytes, at which elements of a state compete for one place in the cache.
+// `stride` is at least the number of states. Fastest are data that are aligned to 64 bytes and a stride that is a
+// multiple of 64 but not of 4096 bytes: with the latter, the elements of a state compete for the same cache set.
 template <class Value = AnyVector, class Number>
 ByElement<Value, Number> by_element(Number* data, std::ptrdiff_t stride) noexcept {
   static_assert(std::is_floating_point_v<Number>, "numbers, element by element");
@@ -83,11 +83,11 @@ constexpr bool kIsPlain = std::is_floating_point_v<T> || std::is_base_of_v<Eigen
 template <class Value, class T>
 constexpr bool kFits = std::is_same_v<Value, T> || (std::is_same_v<Value, AnyVector> && kIsPlain<T>);
 
-// Whether an argument of type T takes numbers From that mean a Value.
+// Whether an argument of type T accepts an array of numbers of type From whose value type is Value.
 template <class T, class Value, class Number, class From>
 constexpr bool kTakes = kFits<Value, T>&& std::is_same_v<std::remove_const_t<From>, Number>;
 
-// The array as one of T.
+// The array with its strides, for values of type T.
 template <class T, class Value, class Number>
 constexpr Strided<Number> strided(const ByElement<Value, Number>& states) noexcept {
   return {states.data, states.stride, 1};
@@ -107,7 +107,7 @@ ByState<Value, Number> by_state(Number* data, std::ptrdiff_t stride = 0) noexcep
   return {data, stride};
 }
 
-// An array of values: of Eigen's vectors, of twists, …
+// An array of Eigen vectors, of twists, …
 template <class T, class = std::enable_if_t<!std::is_floating_point_v<T>>>
 auto by_state(T* states) noexcept {
   using Value = std::remove_const_t<T>;
@@ -117,7 +117,7 @@ auto by_state(T* states) noexcept {
   return ByState<Value, Number>{reinterpret_cast<Number*>(states), 0};
 }
 
-// An argument of a function over many states, a T each.
+// An argument of a function over many states: one T per state.
 template <class T>
 class Input {
  public:
@@ -127,7 +127,7 @@ class Input {
   Input(const ByElement<Value, From>& states) noexcept : array_(constant(detail::strided<T>(states))) {}
   template <class Value, class From, class = std::enable_if_t<detail::kTakes<T, Value, Number, From>>>
   Input(const ByState<Value, From>& states) noexcept : array_(constant(detail::strided<T>(states))) {}
-  // The same in all states. It must live as long as the call.
+  // One value for all states. It must live as long as the call.
   Input(const T& value) noexcept : array_{reinterpret_cast<const Number*>(&value), 1, 0} {}
 
   const Strided<const Number>& array() const noexcept { return array_; }
@@ -141,7 +141,7 @@ class Input {
   Strided<const Number> array_;
 };
 
-// A result of a function over many states, a T each. It must not overlap an argument.
+// A result of a function over many states: one T per state. It must not overlap an argument.
 template <class T>
 class Output {
  public:

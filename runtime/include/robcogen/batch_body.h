@@ -16,8 +16,9 @@
 namespace robcogen::batch {
 namespace {  // separate in each file, like lanes
 
-// The elements of a result for the states of one block: a kernel writes to it as to an array of values. Element k is at
-// data + k * element. Of a square matrix with kRows rows, those above the diagonal are not written; 0: all are.
+// The elements of a result for the states of one block. A kernel writes to it as to an array of values; element k is at
+// data + k * element. With kRows > 0 the result is a square matrix of kRows rows, and the elements above its diagonal
+// are not written.
 template <class Scalar, int kRows = 0>
 class Columns {
  public:
@@ -26,7 +27,7 @@ class Columns {
   class Column {
    public:
     ROBCOGEN_INLINE Column(const Columns& columns, std::ptrdiff_t k) noexcept : columns_(columns), k_(k) {}
-    // Kernels name elements by constants, so that no comparison is left.
+    // Kernels index elements by constants, so the compiler removes the comparison.
     ROBCOGEN_INLINE const Value& operator=(const Value& x) const noexcept {
       if (!is_above_diagonal(k_)) x.store(columns_.data_ + k_ * columns_.element_);
       return x;
@@ -52,8 +53,8 @@ class Columns {
   std::ptrdiff_t element_;
 };
 
-// The states of one block of `count` states. In the last block, lanes without a state repeat the last one, so
-// that no memory beyond it is read or written.
+// The current block of `count` states, one state in each lane. In the last block, lanes without a state repeat the last
+// state, so that no memory beyond it is read or written.
 template <class Scalar>
 class Block {
  public:
@@ -92,17 +93,17 @@ class Block {
     for (int i = 0; i < kRows; ++i) store(from + i * kRows + i, kRows - i, to.from(i * kRows + i));
   }
 
-  // Where a kernel writes a result: to its place where the states of the block are contiguous there, else to the
-  // buffer.
+  // Returns where a kernel writes a result: directly to its destination `to` if the states of the block are contiguous
+  // there, otherwise to the buffer.
   Columns<Scalar> columns(const Strided<Scalar>& to, Value* buffer) const noexcept {
     return in_place_or<0>(to, buffer);
   }
-  // The same of a lower triangle.
+  // The same for a lower triangle.
   template <int kRows>
   Columns<Scalar, kRows> lower_columns(const Strided<Scalar>& to, Value* buffer) const noexcept {
     return in_place_or<kRows>(to, buffer);
   }
-  // From the buffer, if it was written there.
+  // Copies the result from the buffer to `to`, if the kernel wrote it there.
   template <int kElements>
   void store_buffer(const Value* buffer, const Strided<Scalar>& to) const noexcept {
     if (!is_in_place(to)) store<kElements>(buffer, to);
@@ -121,10 +122,10 @@ class Block {
 
   bool is_in_place(const Strided<Scalar>& to) const noexcept { return left() >= kSize && to.state == 1; }
 
-  // With two lanes, single elements move as fast.
+  // With two lanes, moving single elements is as fast.
   static constexpr bool kHasRows = kSize > 2;
 
-  // States one after another, with contiguous elements: four elements at a time are a block.
+  // For states whose elements are contiguous: four elements of all lanes are moved at a time, as one block.
   template <int kElements>
   static void load_rows(const Scalar* data, std::ptrdiff_t state, Value* to) noexcept {
     int k = 0;
@@ -138,7 +139,7 @@ class Block {
     for (; k < elements; ++k) from[k].scatter(data + k, state);
   }
 
-  // move(k, pointer to element k) for each k. Four at a time are two thirds of the instructions of one at a time.
+  // Calls move(k, pointer to element k) for each k. Four calls at a time take two thirds of the instructions of one.
   template <class Move, class Number>
   ROBCOGEN_INLINE static void in_fours(Move move, int elements, Number* data, std::ptrdiff_t stride) noexcept {
     int k = 0;
@@ -186,7 +187,7 @@ class Block {
   std::ptrdiff_t count_;
 };
 
-// Numbers that all states share, in all lanes.
+// Copies numbers that all states share to all lanes.
 template <class Scalar>
 void spread(const Scalar* from, int count, NativeLanes<Scalar>* to) noexcept {
   for (int i = 0; i < count; ++i) to[i] = NativeLanes<Scalar>(from[i]);

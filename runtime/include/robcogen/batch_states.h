@@ -1,5 +1,5 @@
-// Parts of generated functions over many states whose results are so large that blocks of states would outgrow the
-// stacks of threads: one state after the other.
+// Parts of generated functions over many states that compute one state after the other, because their results are so
+// large that blocks of states would overflow the stacks of threads.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class States {
   bool is_left() const noexcept { return state_ < count_; }
   void advance() noexcept { ++state_; }
 
-  // The elements of an argument: in the memory of the caller where they are contiguous there, else copied to the
+  // Returns the elements of an argument: in the caller's memory if they are contiguous there, otherwise copied to the
   // buffer.
   template <int kElements>
   const Scalar* load(const Strided<const Scalar>& from, Scalar* buffer) const noexcept {
@@ -27,11 +27,12 @@ class States {
     return buffer;
   }
 
-  // Where a kernel writes a result: to its place where that is contiguous, else to the buffer.
+  // Returns where a kernel writes a result: directly to its destination `to` if its elements are contiguous there,
+  // otherwise to the buffer.
   Scalar* place(const Strided<Scalar>& to, Scalar* buffer) const noexcept {
     return to.element == 1 ? to.data + state_ * to.state : buffer;
   }
-  // From the buffer, if it was written there.
+  // Copies the result from the buffer to `to`, if the kernel wrote it there.
   template <int kElements>
   void store_buffer(const Scalar* buffer, const Strided<Scalar>& to) const noexcept {
     if (to.element == 1) return;

@@ -1,4 +1,4 @@
-// A loop of generated functions over the right-hand sides of a linear system, one in each lane.
+// Loops of generated functions over the right-hand sides of a linear system, one right-hand side in each lane.
 #pragma once
 
 #include <type_traits>
@@ -9,8 +9,8 @@
 namespace robcogen {
 namespace {  // separate in each file, like lanes
 
-// Solves a system of kRows equations for columns of a matrix, which it replaces, with the kFactor numbers of a factor.
-// `solve(factor, b, x)` solves for one column of any scalar type.
+// Solves a system of kRows equations, given the kFactor numbers of a factor of its matrix, and replaces the columns of
+// right-hand sides by their solutions. `solve_one(factor, b, x)` solves for one column of any scalar type.
 template <int kRows, int kFactor, class Scalar, bool kHasLanes = kPrefersLanes<Scalar>>
 class ColumnSolver {
  public:
@@ -44,7 +44,7 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
     int c = 0;
     for (; c + kSize <= count; c += kSize) solve_block(columns + c * kRows, solve_one);
     if (c == count) return;
-    // The last ones fill no block.
+    // The last columns do not fill a block.
     Scalar block[kSize * kRows] = {};
     Scalar* const last = columns + c * kRows;
     const int numbers = (count - c) * kRows;
@@ -57,7 +57,7 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
   using Value = NativeLanes<Scalar>;
   static constexpr int kSize = batch::Block<Scalar>::kSize;
 
-  // As many columns as there are lanes.
+  // Solves for one column in each lane.
   template <class Solve>
   void solve_block(Scalar* columns, Solve solve_one) const noexcept {
     const batch::Block<Scalar> block(kSize);
@@ -70,13 +70,14 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
   Value factor_[kFactor];
 };
 
-// Whether values of that many limbs fill a register.
+// Whether one number from each limb, kLimbs in all, fills a register.
 template <class Scalar, int kLimbs>
 constexpr bool kFillsLanes = kPrefersLanes<Scalar>&& lanes::kInRegister<Scalar> == kLimbs;
 
-// Solves for columns of limbs: those of the same joint of each limb at a time, which are zero in the rows of other
-// limbs. Limbs have kJoints rows and columns each, one limb after another; what they have in common precedes.
-// kPlaces: where the factor has the kOwn numbers of the first limb, each followed by its counterparts of the others.
+// Solves for the columns of congruent limbs: for one joint after the other, the columns of this joint in all limbs
+// together. A column is zero in the rows of the other limbs. Each limb has kJoints rows and columns, one limb after
+// another; the rows and columns that the limbs have in common precede them. kPlaces are the indices of the limbs'
+// numbers in the factor: kOwn numbers, each for the first limb and then for the others.
 template <int kLimbs, int kJoints, int kOwn, class Solver>
 class LimbSolver {
   using Scalar = typename Solver::Number;
@@ -94,7 +95,7 @@ class LimbSolver {
     for (int i = 0; i < kLimbs; ++i) is_limb_[i] = one_at(i, Limbs());
   }
 
-  // `solve(factor, own, is_limb, b, x)` solves for a column of each limb.
+  // `solve_one(factor, own, is_limb, b, x)` solves for one column of each limb.
   template <class Solve>
   void solve(Scalar* columns, Solve solve_one) const noexcept {
     constexpr std::ptrdiff_t kNextLimb = kJoints * kRows;

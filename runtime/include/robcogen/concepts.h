@@ -4,8 +4,8 @@
 //     void control(const R& robot, …);
 //     control(hyl::Robot(), …);
 //
-// The requirements are on a value: the functions of a robot with parameters read those that it carries, and a robot
-// without is empty. A library that was generated with fewer algorithms satisfies the finer concepts of those it has.
+// The functions are members of a value: a robot with parameters carries their values, a robot without parameters is
+// empty. A library that was generated with fewer algorithms satisfies the finer concepts of the algorithms it has.
 // Positions q are JointPositions<R> (positions.h): with spherical joints they have more elements than velocities qd.
 // Transforms and Jacobians have different names in each library and are not part of the concepts; see
 // robcogen/generic/inverse_kinematics.h for how generic code receives them.
@@ -24,7 +24,7 @@
 
 namespace robcogen {
 
-// Common to all: sizes and types.
+// Sizes and types that every robot has.
 template <class R>
 concept RobotTraits = requires {
   { R::kDof } -> std::convertible_to<int>;
@@ -45,10 +45,10 @@ concept FixedBase = RobotTraits<R> && !R::kFloatingBase;
 template <class R>
 concept FloatingBase = RobotTraits<R> && R::kFloatingBase;
 
-// inverse_dynamics(q, qd, qdd) returns the joint forces. With a floating base, without a wrench on it, the function
-// also takes the velocity of the base and returns its acceleration; inverse_dynamics_fully_actuated takes that
-// acceleration and returns the wrench that the base needs. All take gravity and external wrenches as further arguments;
-// gravity is optional with a fixed base.
+// inverse_dynamics(q, qd, qdd) returns the joint forces. For a floating base without a wrench on it, the function also
+// takes the velocity of the base and returns its acceleration; inverse_dynamics_fully_actuated takes the acceleration
+// and returns the wrench that the base needs. All take gravity and external wrenches as further arguments; gravity is
+// optional with a fixed base.
 template <class R>
 concept HasInverseDynamics = (FixedBase<R> &&
                               requires(
@@ -80,8 +80,8 @@ concept HasInverseDynamics = (FixedBase<R> &&
                                noexcept->std::same_as<typename R::GeneralizedForce>;
                              });
 
-// forward_dynamics(q, qd, tau) returns the joint accelerations; with a floating base it takes its velocity and returns
-// its acceleration too.
+// forward_dynamics(q, qd, tau) returns the joint accelerations; with a floating base it also takes the velocity of the
+// base and returns its acceleration.
 template <class R>
 concept HasForwardDynamics = (FixedBase<R> &&
                               requires(
@@ -136,8 +136,8 @@ concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
   noexcept->std::same_as<typename R::InertiaMatrix>;
 };
 
-// bias_forces(q, qd) = coriolis_forces(q, qd) + gravity_forces(q); with a floating base they take its velocity and hold
-// the wrench on it.
+// bias_forces(q, qd) = coriolis_forces(q, qd) + gravity_forces(q). With a floating base, bias_forces and
+// coriolis_forces also take its velocity, and all three results contain the wrench on it.
 template <class R>
 concept HasBiasForces = (FixedBase<R> &&
                          requires(
@@ -168,7 +168,7 @@ concept HasBiasForces = (FixedBase<R> &&
                           noexcept->std::same_as<typename R::GeneralizedForce>;
                         });
 
-// kinetic_energy(q, qd), with a floating base its velocity too; potential_energy(q, gravity).
+// kinetic_energy(q, qd), which also takes the velocity of a floating base, and potential_energy(q, gravity).
 template <class R>
 concept HasEnergy = ((FixedBase<R> &&
                       requires(const R& robot, const JointPositions<R>& q, const typename R::JointState& qd) {
@@ -198,7 +198,7 @@ concept HasCentroidal = RobotTraits<R> && requires(const R& robot, const JointPo
   robot.centroidal_momentum_matrix(q);
 };
 
-// The rows of all contacts: three of a point, six of a surface.
+// Number of rows of all contacts: three for each point, six for each surface.
 template <class R>
 requires requires(const R& robot, const JointPositions<R>& q) {
   robot.contact_jacobian(q);
@@ -206,7 +206,7 @@ requires requires(const R& robot, const JointPositions<R>& q) {
 inline constexpr int kContactRows = std::remove_cvref_t<decltype(std::declval<const R&>().contact_jacobian(
     std::declval<const JointPositions<R>&>()))>::RowsAtCompileTime;
 
-// Functions of contacts; with a floating base those of velocities take its velocity too.
+// Functions of contacts. Those that depend on joint velocities also take the velocity of a floating base.
 template <class R>
 concept HasContacts = RobotTraits<R> && requires(const R& robot, const JointPositions<R>& q) {
   { robot.contact_jacobian(q) }

@@ -1,4 +1,4 @@
-// Whole states from and to the arrays of MuJoCo, Pinocchio, RBDL, Drake and ROS.
+// Conversion of states from and to the arrays of MuJoCo, Pinocchio, RBDL, Drake and ROS.
 //
 //     const auto match = robcogen::match_joints(quadruped::kJointNames, names_of_the_other_library);
 //     if (!match.order) …                                   // match.problem and match.name say why
@@ -7,8 +7,8 @@
 //
 // A state is a robcogen::State<R>, or any default-constructible struct with Eigen vectors q and qd and, if the base
 // floats, a pose and a base_velocity. The base body of the other library must have the frame of the base here, and its
-// coordinates the first places of the arrays, as a URDF's root has them; the world is the same. Joints are those of one
-// variable, and spherical ones but for Drake and ROS, in any order. A fixed base has no coordinates in any of these
+// coordinates must come first in the arrays, as those of a URDF's root do; the world is the same. Joints, in any order,
+// have one variable or, except for Drake and ROS, are spherical. A fixed base has no coordinates in any of these
 // libraries.
 //
 //                        position, then velocity of a floating base                    joints
@@ -23,9 +23,9 @@
 //     ROS, Odometry      x y z, quaternion x y z w                                     JointState
 //             twist      linear in base axes, angular in base axes                     JointState
 //
-// All velocities are those of the base origin. A spherical joint has the quaternion w x y z in MuJoCo, x y z w in
-// Pinocchio; in RBDL x y z, and w at the end, after that of the base; its velocities are the same in all three, in axes
-// of the child. Nothing allocates or throws.
+// Linear velocities are those of the base origin. The quaternion of a spherical joint is w x y z in MuJoCo and x y z w
+// in Pinocchio; in RBDL it is x y z at the joint, with w at the end, after that of the base. Its velocities are the
+// same in all three, in axes of the child. Nothing allocates or throws.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,18 +51,18 @@ JointMatch<kDof, kBalls> match_joints(
     const std::array<int, kBalls>& quaternions,
     const Names& theirs) noexcept;
 
-// Where another library has the scalar parts of quaternions: in front of their vector parts, behind them, or all behind
-// the last joint, in the order of the joints.
+// Where another library has the scalar part of a quaternion: before the vector part, after it, or after the last joint,
+// where all scalar parts are in the order of the joints.
 enum class ScalarPart { first, last, behind_all };
 
-// Where the joints of a robot are in the vectors of another library, kBalls of them spherical.
+// Maps the joints of a robot, kBalls of them spherical, to their indices in the vectors of another library.
 template <std::size_t kDof, std::size_t kBalls = 0>
 class JointOrder {
  public:
-  // The place of our joint among velocities, and where no joint is spherical among positions.
+  // Index of our joint in their velocities, and in their positions if no joint is spherical.
   constexpr int operator[](std::size_t joint) const noexcept { return places_[joint]; }
 
-  // Vectors with an element a velocity.
+  // Convert vectors with one element per velocity.
   template <class Ours, class Number>
   void to(const Ours& ours, Number* theirs) const noexcept {
     for (std::size_t j = 0; j < kDof; ++j) theirs[places_[j]] = static_cast<Number>(ours[static_cast<Eigen::Index>(j)]);
@@ -73,12 +73,12 @@ class JointOrder {
     for (std::size_t j = 0; j < kDof; ++j) ours[static_cast<Eigen::Index>(j)] = static_cast<Scalar>(theirs[places_[j]]);
   }
 
-  // Positions. `others` are the scalar parts of the base in front of those behind all.
+  // Converts positions. `others` counts the scalar parts of the base that precede those of the joints at the end.
   template <class Ours, class Number>
   void positions_to(const Ours& q, ScalarPart scalar, int others, Number* theirs) const noexcept {
     visit(scalar, others, [&](int own, int place) { theirs[place] = static_cast<Number>(q[own]); });
   }
-  // Quaternions become of unit length.
+  // Normalises the quaternions.
   template <class Ours, class Number>
   void positions_from(const Number* theirs, ScalarPart scalar, int others, Ours& q) const noexcept {
     using Scalar = std::decay_t<decltype(q[0])>;
@@ -99,14 +99,14 @@ class JointOrder {
       const std::array<int, kBalls>& ordinals) noexcept
       : places_(places), quaternions_(quaternions), ordinals_(ordinals) {}
 
-  // Calls visit(element of q, place in theirs).
+  // Calls visit(index in q, index in theirs) for each element of q.
   template <class Visit>
   void visit(ScalarPart scalar, int others, const Visit& visit) const noexcept {
     std::size_t ball = 0;
     int own = 0;
     for (std::size_t j = 0; j < kDof; ++own) {
       int place = places_[j];
-      // Each spherical joint in front has an element more than velocities.
+      // Each spherical joint before this one has one position more than it has velocities.
       for (std::size_t b = 0; scalar != ScalarPart::behind_all && b < kBalls; ++b)
         if (places_[static_cast<std::size_t>(quaternions_[b]) - b] < places_[j]) ++place;
       if (ball == kBalls || quaternions_[ball] != own) {
@@ -122,8 +122,8 @@ class JointOrder {
   }
 
   std::array<int, kDof> places_;
-  std::array<int, kBalls> quaternions_;  // elements of q
-  std::array<int, kBalls> ordinals_;     // among their spherical joints
+  std::array<int, kBalls> quaternions_;  // elements of q where they begin
+  std::array<int, kBalls> ordinals_;     // index of each among their spherical joints
 };
 
 enum class JointProblem {
@@ -133,7 +133,7 @@ enum class JointProblem {
   repeated,  // the other list has this joint more than once
 };
 
-// Without an order if there is a problem; `name` is that of the joint, a view of the caller's text.
+// There is no order if there is a problem; `name` is then the name of the joint, a view of the caller's text.
 template <std::size_t kDof, std::size_t kBalls>
 struct JointMatch {
   std::optional<JointOrder<kDof, kBalls>> order;
@@ -148,8 +148,8 @@ JointMatch<kDof> match_joints(const std::array<const char*, kDof>& ours, const N
   return match_joints(ours, std::array<int, 0>{}, theirs);
 }
 
-// The same of any robot: `quaternions` are its Robot::kQuaternions, or kQuaternions<R> (positions.h). A spherical joint
-// has one name among theirs, that of the document: `hip`, of `hip_x`, `hip_y` and `hip_z` here.
+// The same for any robot: `quaternions` is its Robot::kQuaternions, or kQuaternions<R> (positions.h). `theirs` has one
+// name for a spherical joint, that of the document: `hip` for our `hip_x`, `hip_y` and `hip_z`.
 template <std::size_t kDof, std::size_t kBalls, class Names>
 JointMatch<kDof, kBalls> match_joints(
     const std::array<const char*, kDof>& ours,
@@ -158,7 +158,8 @@ JointMatch<kDof, kBalls> match_joints(
   std::array<int, kDof> places{};
   std::array<bool, kDof> found{};
   std::array<int, kBalls> ordinals{};
-  // By joint: -1, or of the first component of a spherical joint which one it is, and of others kBalls.
+  // For each joint: -1 if it is not spherical, the index of the spherical joint for its first component, and kBalls for
+  // its other components.
   std::array<int, kDof> balls{};
   balls.fill(-1);
   for (std::size_t b = 0; b < kBalls; ++b)
@@ -233,7 +234,7 @@ inline int place_of_w(const Layout& layout, std::size_t dof) noexcept {
   return layout.quaternion_w == kAfterJoints ? layout.joint_positions + static_cast<int>(dof) : layout.quaternion_w;
 }
 
-// The order is that of a robot with as many positions and velocities.
+// Whether the order is that of a robot with as many positions and velocities as the state.
 template <class State, std::size_t kDof, std::size_t kBalls = 0>
 constexpr bool kFits = std::decay_t<decltype(std::declval<State&>().q)>::SizeAtCompileTime ==
                            static_cast<int>(kDof + kBalls) &&
@@ -306,8 +307,8 @@ State from_arrays(
 
 }  // namespace conversions
 
-// ---- One library after another. With a floating base of n joints, arrays of positions have 7 + n elements and those
-// of velocities 6 + n; otherwise n each. Of spherical joints arrays of positions have four, those of velocities three.
+// ---- Conversions for each library. Arrays have one position and one velocity for each joint of one variable, four
+// positions and three velocities for each spherical joint, and seven positions and six velocities for a floating base.
 
 template <class State, std::size_t kDof, std::size_t kBalls, class Number>
 void to_mujoco(const State& state, const JointOrder<kDof, kBalls>& order, Number* qpos, Number* qvel) noexcept {
@@ -345,15 +346,15 @@ State from_drake(const Number* q, const Number* v, const JointOrder<kDof>& order
   return conversions::from_arrays<State>(conversions::kDrake, q, v, order);
 }
 
-// The numbers of nav_msgs/Odometry: the pose in its frame, the twist in the axes of its child frame, that of the base.
-// They have the order of Pinocchio.
+// The numbers of nav_msgs/Odometry, in the order of Pinocchio: the pose in the frame of the message, and the twist in
+// the axes of its child frame, which is that of the base.
 struct Odometry {
   std::array<double, 7> pose{0, 0, 0, 0, 0, 0, 1};  // position x y z, orientation x y z w
   std::array<double, 6> twist{};                    // linear, angular
 };
 
-// `position` and `velocity` are those of sensor_msgs/JointState, `order` that of its names. A message may leave its
-// velocities out: check its sizes first. A fixed base has no odometry: order.to(state.q, position).
+// `position` and `velocity` are those of sensor_msgs/JointState, and `order` is the order of its names. A message may
+// leave out its velocities: check its sizes first. A fixed base has no odometry: use order.to(state.q, position).
 template <class State, std::size_t kDof>
 void to_ros(
     const State& state,

@@ -7,7 +7,7 @@ namespace robcogen {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// In rad or m, per second, and N m or N; infinite when the model has no limit.
+// Positions in rad or m, velocity in rad/s or m/s, effort in N m or N; infinite where the model has no limit.
 struct JointLimits {
   double lower = -kUnlimited;
   double upper = kUnlimited;

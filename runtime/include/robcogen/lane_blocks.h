@@ -1,8 +1,8 @@
-// Loads and stores of several values of lanes at once: adjacent numbers move as vectors, and shuffles put them into
-// their lanes or take them out.
+// Loads and stores of several values with lanes at once: adjacent numbers are moved as vectors, and shuffles put them
+// into their lanes or take them out.
 //
-// A block has an element for each value and each lane: that of value k and lane i is at [i * stride + k]. Forces of
-// the joints of limbs, or columns of a matrix, limb by limb, are blocks.
+// A block has one element for each value and each lane: value k of lane i is at [i * stride + k]. The joint forces of
+// limbs, or columns of a matrix, limb by limb, are blocks.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ using Three = std::array<Lanes<Scalar, kSize>, 3>;
 template <class Scalar, int kSize>
 using Four = std::array<Lanes<Scalar, kSize>, 4>;
 
-// Two lanes of each, a0 b0 …: those with even, and those with odd numbers (doubles); the first, and the last (floats).
-// The processor has these as one instruction.
+// Alternating lanes of a and b: for doubles the even lanes (a0 b0 a2 b2) and the odd ones, for floats the first two
+// (a0 b0 a1 b1) and the last two. The processor has one instruction for each result.
 template <class Scalar>
 ROBCOGEN_INLINE Two<Scalar, 4> zipped(const Lanes<Scalar, 4>& a, const Lanes<Scalar, 4>& b) noexcept {
   if constexpr (sizeof(Scalar) == 8)
@@ -43,7 +43,7 @@ ROBCOGEN_INLINE Two<Scalar, 2> zipped(const Lanes<Scalar, 2>& a, const Lanes<Sca
   return {shuffled<0, 2>(a, b), shuffled<1, 3>(a, b)};
 }
 
-// Lane i of all, for each i.
+// Result i has lane i of a, b, c and d.
 template <class Scalar>
 ROBCOGEN_INLINE Four<Scalar, 4> transposed(
     const Lanes<Scalar, 4>& a,
@@ -61,7 +61,7 @@ ROBCOGEN_INLINE Four<Scalar, 4> transposed(
         shuffled<2, 3, 6, 7>(ab[1], cd[1])};
 }
 
-// a0 b0 c0 a1, b1 c1 a2 b2, c2 a3 b3 c3, and back.
+// Interleaves to a0 b0 c0 a1, b1 c1 a2 b2, c2 a3 b3 c3; `taken_apart` is the inverse.
 template <class Scalar>
 ROBCOGEN_INLINE Three<Scalar, 4> interleaved(
     const Lanes<Scalar, 4>& a,
@@ -81,13 +81,13 @@ ROBCOGEN_INLINE Three<Scalar, 4> taken_apart(
   return {shuffled<0, 5, 2, 7>(ab, ca), shuffled<1, 4, 3, 6>(ab, bc), shuffled<0, 5, 2, 7>(ca, bc)};
 }
 
-// Whether a value is more than the vectors above: it is stored and loaded half by half.
+// Whether a value has more lanes than the functions above take, so that it is stored and loaded half by half.
 template <class Scalar, int kSize>
 constexpr bool kHasHalves = kSize > 1 && (kSize > kInRegister<Scalar> || kSize > 4);
 
 template <class Scalar>
 ROBCOGEN_INLINE void store_pair(Scalar* to, std::ptrdiff_t stride, const Two<Scalar, 4>& zipped) noexcept {
-  constexpr int kSecond = sizeof(Scalar) == 8 ? 2 : 1;  // which lane the second half of the first is
+  constexpr int kSecond = sizeof(Scalar) == 8 ? 2 : 1;  // the lane in the second half of zipped[0]
   half<0>(zipped[0]).store(to);
   half<1>(zipped[0]).store(to + kSecond * stride);
   half<0>(zipped[1]).store(to + (3 - kSecond) * stride);
@@ -100,7 +100,7 @@ ROBCOGEN_INLINE void store_pair(Scalar* to, std::ptrdiff_t stride, const Two<Sca
   zipped[1].store(to + stride);
 }
 
-// Dense: the stride is the number of values.
+// kIsDense: the stride is the number of values.
 template <bool kIsDense, class Scalar, class Column>
 ROBCOGEN_INLINE void store_block(Scalar* to, std::ptrdiff_t stride, const Column& a) noexcept {
   a.scatter(to, stride);
@@ -169,7 +169,7 @@ ROBCOGEN_INLINE void join(
   if constexpr (kCount > 1) join<kCount - 1>(low + 1, high + 1, columns + 1);
 }
 
-// The reverse, to columns[0], …, columns[kCount - 1].
+// The reverse of store_block, to columns[0], …, columns[kCount - 1].
 template <std::size_t kCount, bool kIsDense, class Scalar, int kSize>
 ROBCOGEN_INLINE void load_block(const Scalar* from, std::ptrdiff_t stride, Lanes<Scalar, kSize>* columns) noexcept {
   using Column = Lanes<Scalar, kSize>;
@@ -215,13 +215,13 @@ ROBCOGEN_INLINE void store_each(
 
 }  // namespace lanes
 
-// Writes the block of these values. With a stride equal to their number, the lanes are contiguous.
+// Writes these values as a block. With a stride equal to their number, the lanes are contiguous.
 template <std::ptrdiff_t kStride, class Scalar, int kSize, class... More>
 ROBCOGEN_INLINE void store_lanes(Scalar* to, const Lanes<Scalar, kSize>& first, const More&... more) noexcept {
   lanes::store_block<kStride == 1 + sizeof...(More)>(to, kStride, first, more...);
 }
 
-// The kCount values of a block.
+// Returns the kCount values of a block.
 template <int kSize, std::size_t kCount, std::ptrdiff_t kStride, class Scalar>
 ROBCOGEN_INLINE std::array<Lanes<Scalar, kSize>, kCount> load_lanes(const Scalar* from) noexcept {
   std::array<Lanes<Scalar, kSize>, kCount> columns;

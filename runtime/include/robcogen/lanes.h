@@ -56,8 +56,8 @@ template <>
 constexpr int kInRegister<float> = kRegisterBytes / static_cast<int>(sizeof(float));
 #endif
 
-// That many elements as a vector type of the compiler, which has the operators of an element. One is the element
-// itself.
+// A vector type of the compiler with kSize elements, which has the operators of an element. For one element it is the
+// element itself.
 template <class Element, int kSize>
 struct VectorOf {
   typedef Element type ROBCOGEN_VECTOR_SIZE(kSize * sizeof(Element));
@@ -71,8 +71,8 @@ struct VectorOf<Element, 1> {
 template <class Element, int kSize>
 using Vector = typename VectorOf<Element, kSize>::type;
 
-// Each element as the nearest one of the other type. (Not returned: how vectors that are longer than a register are
-// returned depends on the processor.)
+// Converts each element to the nearest number of the other type. (The result is not returned: how vectors that are
+// longer than a register are returned depends on the processor.)
 template <class From, class To>
 ROBCOGEN_INLINE void convert(const From& from, To& to) noexcept {
   if constexpr (std::is_same_v<To, From>) {
@@ -84,7 +84,7 @@ ROBCOGEN_INLINE void convert(const From& from, To& to) noexcept {
   }
 }
 
-// Not std::sqrt: that of float is a function of the library, which only one file of a program provides.
+// Not std::sqrt: its overload for float is a library function, for which the linker keeps the copy of only one file.
 template <class Scalar>
 ROBCOGEN_INLINE Scalar square_root(const Scalar& x) noexcept {
 #if defined(__GNUC__)
@@ -95,7 +95,7 @@ ROBCOGEN_INLINE Scalar square_root(const Scalar& x) noexcept {
   return sqrt(x);
 }
 
-// Nor std::atan2.
+// Not std::atan2, for the same reason.
 template <class Scalar>
 ROBCOGEN_INLINE Scalar arc_tangent(const Scalar& sine, const Scalar& cosine) noexcept {
 #if defined(__GNUC__)
@@ -108,8 +108,8 @@ ROBCOGEN_INLINE Scalar arc_tangent(const Scalar& sine, const Scalar& cosine) noe
 
 }  // namespace lanes
 
-// kSize scalars, a power of two: one vector if a register of the processor holds it, else two halves. A lane may be of
-// any type that is a scalar to generated code, and be Lanes itself.
+// kSize scalars (a power of two): one vector if a register of the processor holds it, otherwise two halves. A lane may
+// have any type that is a scalar to generated code, even Lanes.
 //
 // Like a plain number, it is not initialized unless it is given a value.
 template <class Scalar, int kSize, bool kIsVector = (kSize <= lanes::kInRegister<Scalar> || kSize == 1)>
@@ -126,7 +126,7 @@ class Lanes<Scalar, kSize, true> {
     if constexpr (kSize == 1) {
       vector_ = x;
     } else {
-      vector_ = x - Vector{};  // how one is spread to all: less 0, every number stays what it is
+      vector_ = x - Vector{};  // broadcasts x: subtracting 0 leaves every number as it is
     }
   }
   template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number> && !std::is_same_v<Number, Scalar>>>
@@ -150,7 +150,7 @@ class Lanes<Scalar, kSize, true> {
     }
   }
 
-  // From and to kSize contiguous numbers, of this or another precision.
+  // Load from and store to kSize contiguous numbers, of this or another precision.
   template <class Number>
   static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
     if constexpr (kSize == 1) {
@@ -174,7 +174,7 @@ class Lanes<Scalar, kSize, true> {
     }
   }
 
-  // From and to numbers at this stride.
+  // Load from and store to numbers at this stride.
   static ROBCOGEN_INLINE Lanes gather(const Scalar* from, std::ptrdiff_t stride) noexcept {
     return gather(from, stride, std::make_integer_sequence<int, kSize>());
   }
@@ -212,7 +212,7 @@ class Lanes<Scalar, kSize, true> {
       return result;
     }
   }
-  // One after the other.
+  // Computed lane by lane.
   friend ROBCOGEN_INLINE Lanes atan2(const Lanes& sine, const Lanes& cosine) noexcept {
     Lanes result = sine;
     if constexpr (kSize == 1) {
@@ -306,7 +306,8 @@ class Lanes<Scalar, kSize, false> {
 
 namespace lanes {
 
-// Lanes of two values, counted on from the first to the second, as a value. Both, and the result, fit into a register.
+// Selected lanes of two values as one value; lanes of b are counted from kSize on. Arguments and result each fit into a
+// register.
 template <int... kLane, class Scalar, int kSize>
 ROBCOGEN_INLINE Lanes<Scalar, sizeof...(kLane)> shuffled(
     const Lanes<Scalar, kSize>& a,
@@ -328,7 +329,7 @@ ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
   return shuffled<kLane...>(low, high);
 }
 
-// The lanes of both, which fit into a register together.
+// The lanes of both values as one value, which fits into a register.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE Lanes<Scalar, 2 * kSize> joined(
     const Lanes<Scalar, kSize>& low,
@@ -344,7 +345,7 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(const Lanes<Scalar, kSize>& x) noe
   } else if constexpr (kSize == 2) {
     return Lanes<Scalar, 1>(x[kHalf]);
   } else {
-    Vector<Scalar, kSize / 2> halves[2];  // of a shuffle, gcc would not see that its result can go to memory at once
+    Vector<Scalar, kSize / 2> halves[2];  // with a shuffle, gcc would not store the result to memory directly
     std::memcpy(halves, &x.vector(), sizeof(halves));
     return Lanes<Scalar, kSize / 2>::of_vector(halves[kHalf]);
   }
@@ -352,7 +353,7 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize / 2> half(const Lanes<Scalar, kSize>& x) noe
 
 }  // namespace lanes
 
-// Pairwise: each lane of the first half and its counterpart in the second, and so forth.
+// Sum of all lanes, pairwise: each lane of the first half plus its counterpart in the second, and so on.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE Scalar sum_lanes(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (kSize == 1) {
@@ -368,7 +369,7 @@ struct TwoSums {
   Scalar first, second;
 };
 
-// All at once: half as many instructions as one after the other, on processors that add neighbours.
+// Both sums at once: half as many instructions as one after the other, on processors that add neighbours.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE TwoSums<Scalar> sum_lanes(const Lanes<Scalar, kSize>& a, const Lanes<Scalar, kSize>& b) noexcept {
 #if ROBCOGEN_HAS_VECTORS && defined(__SSE3__)
@@ -395,7 +396,7 @@ ROBCOGEN_INLINE TwoSums<Scalar> sum_lanes(const Lanes<Scalar, kSize>& a, const L
 template <class Scalar>
 constexpr bool kPrefersLanes = lanes::kInRegister<Scalar> > 1;
 
-// As many as fill a register: the fastest number.
+// As many lanes as fill a register, which is the fastest number.
 template <class Scalar>
 using NativeLanes = Lanes<Scalar, lanes::kInRegister<Scalar>>;
 

@@ -1,4 +1,4 @@
-// The processor levels that generated code is compiled for, and the one of this machine.
+// The processor levels that generated code is compiled for, and the level of this machine.
 #pragma once
 
 // Whether code can be compiled for several processors, with a choice when the program runs.
@@ -8,7 +8,8 @@
 #define ROBCOGEN_HAS_LEVELS 0
 #endif
 
-// Whether kernels of one state are: the build defines for which levels, and its own options are for a lower one.
+// Whether kernels of one state are compiled for several levels: the build defines which, and its own options are for a
+// lower one.
 #if ROBCOGEN_HAS_LEVELS && (defined(ROBCOGEN_WITH_AVX2) || defined(ROBCOGEN_WITH_AVX512)) && !defined(__AVX__)
 #define ROBCOGEN_CHOOSES_LEVEL 1
 #else
@@ -17,11 +18,11 @@
 
 namespace robcogen {
 
-// The options of the library; AVX2 and FMA (x86-64-v3), four doubles or eight floats at once; AVX-512 F, DQ and VL,
-// eight or sixteen.
+// baseline: the options of the library. avx2: AVX2 and FMA (x86-64-v3), four doubles or eight floats at once. avx512:
+// AVX-512 F, DQ and VL, eight doubles or sixteen floats at once.
 enum class Level { baseline, avx2, avx512 };
 
-// The highest one that this machine has. Reads a variable that is set before `main`.
+// The highest level that this machine has. Reads a variable that is set before `main`.
 inline Level best_level() noexcept {
 #if ROBCOGEN_HAS_LEVELS
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Level::baseline;

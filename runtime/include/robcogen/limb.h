@@ -1,4 +1,4 @@
-// Limbs of a robot: what the instances of parts in its document have become, for code that loops over legs.
+// Limbs of a robot: the instances of parts in its document, for code that loops over legs.
 //
 //     for (const robcogen::Limb& leg : quadruped::limbs)
 //       for (const robcogen::LimbElement& joint : leg.joints) tau[joint.index] -= damping * qd[joint.index];
@@ -23,7 +23,7 @@ struct LimbElements {
   constexpr const LimbElement& operator[](int i) const { return data[i]; }
   constexpr const LimbElement* begin() const { return data; }
   constexpr const LimbElement* end() const { return data + size; }
-  // The index in the robot of the element that the part calls so; -1 where there is none.
+  // Returns the index in the robot of the element with this name in the part, or -1 if there is none.
   constexpr int find(std::string_view own) const {
     for (const LimbElement& element : *this)
       if (own == element.own) return element.index;
@@ -32,15 +32,15 @@ struct LimbElements {
 };
 
 struct Limb {
-  const char* name;  // with which the names of its elements begin
+  const char* name;  // the names of its elements begin with it
   const char* part;
   int first_link;
   LimbElements links;
-  LimbElements joints;  // by their places in joint vectors; those that follow others are left out
+  LimbElements joints;  // indices are those of elements of qd; joints that follow others are left out
   LimbElements frames;  // user frames
 
-  // Indices in the robot, of elements by their names in the part; -1 where there is none. `foot` is the frame
-  // `fr_foot`, too.
+  // Return the index in the robot of the element with this name in the part, or -1 if there is none. `foot` also finds
+  // the frame `fr_foot`.
   constexpr int link(std::string_view own) const { return links.find(own); }
   constexpr int joint(std::string_view own) const { return joints.find(own); }
   constexpr int frame(std::string_view own) const {
@@ -78,7 +78,7 @@ struct LimbsOf<Robot, std::void_t<decltype(Robot::limbs)>> {
 
 }  // namespace detail
 
-// Of the generated type of a robot, for generic code; empty where its document has no parts.
+// Limbs of the generated type of a robot, for generic code; empty if its document has no parts.
 template <class Robot>
 constexpr Limbs limbs_of() {
   return detail::LimbsOf<Robot>::list();

@@ -14,8 +14,8 @@
 
 namespace robcogen::batch {
 
-// What the arguments of one block of states may take: a core's own cache holds them, so that a function that calls
-// several in turn finds the results of one when it calls the next.
+// Bytes that the arguments of one block of states may take. A core's own cache holds them, so that a function that
+// makes several calls in turn finds the results of one call in the cache when it makes the next.
 inline constexpr std::ptrdiff_t kBlockBytes = 256 * 1024;
 
 namespace detail {
@@ -29,7 +29,7 @@ template <class Value, class Number>
 ByState<Value, Number> states_from(const ByState<Value, Number>& array, std::ptrdiff_t first) noexcept {
   return {array.data, array.stride, array.first + first};
 }
-// What is the same in all states.
+// A value that is the same in all states.
 template <class T>
 const T& states_from(const T& value, std::ptrdiff_t) noexcept {
   return value;
@@ -70,7 +70,8 @@ const T& measured(const T& value, std::ptrdiff_t&) noexcept {
   return value;
 }
 
-// States of a block, of so many bytes each: whole vectors of all processors, and whole lines of the cache.
+// Number of states in a block, with `bytes` per state. It is a multiple of 64, so that a block has whole vectors of any
+// processor and whole cache lines.
 constexpr std::ptrdiff_t block_size(std::ptrdiff_t bytes) noexcept {
   constexpr std::ptrdiff_t kUnit = 64, kMost = 4096;
   const std::ptrdiff_t fit = kBlockBytes / std::max<std::ptrdiff_t>(bytes, 1);
@@ -79,12 +80,12 @@ constexpr std::ptrdiff_t block_size(std::ptrdiff_t bytes) noexcept {
 
 }  // namespace detail
 
-// Calls function(count, arrays…) for blocks of n states, which together are all states. The arrays are the arguments of
-// functions over many states, by_element(…) and by_state(…); anything else is the same in all states. Results are those
-// of one call, to the last bit. Before, the function is called once over no states, which tells how large a state is.
+// Splits n states into blocks and calls function(count, arrays…) for each block. The arrays are the arguments of
+// functions over many states, by_element(…) and by_state(…); any other argument is the same in all states. Results are
+// those of one call, to the last bit. A first call of the function, over no states, tells how large a state is.
 //
-// threads(blocks, task) calls task(0), …, task(blocks - 1), each once, on whatever threads, and returns when all have
-// ended: a ThreadPool, or a few lines over OpenMP, TBB, std::execution or a pool of your own.
+// threads(blocks, task) must call task(0), …, task(blocks - 1), each once, on any threads, and return when all have
+// ended. It is a ThreadPool, or a few lines over OpenMP, TBB, std::execution or a pool of your own.
 template <class Threads, class Function, class... Arrays>
 void parallel(Threads&& threads, std::ptrdiff_t n, const Function& function, const Arrays&... arrays) {
   if (n <= 0) return;

@@ -1,4 +1,4 @@
-// Pose of a floating base in the world: how it is made, read, integrated and compared.
+// Pose of a floating base in the world: construction, access, integration and differences.
 //
 //     BasePose pose = BasePose::from_quaternion_wxyz(w, x, y, z, position);
 //     auto motion = quadruped::forward_dynamics(q, qd, tau, base_velocity, gravity_in_base(pose));
@@ -17,11 +17,11 @@
 
 namespace robcogen {
 
-// Maps base coordinates to those of the world, whose z points up unless gravity is given otherwise.
+// Maps base coordinates to world coordinates. The z axis of the world points up unless gravity is given otherwise.
 //
 // Libraries disagree on the order of a quaternion's elements, so the name of each function says it: w x y z, or
-// x y z w. The two signs of a quaternion are one orientation. The quaternion is kept at unit length, and plain scalars
-// hold it: a pose can be stored anywhere.
+// x y z w. Both signs of a quaternion represent the same orientation. The quaternion is kept at unit length, in plain
+// scalars, so a pose can be stored anywhere.
 template <class ScalarType>
 class BasicBasePose {
  public:
@@ -36,7 +36,7 @@ class BasicBasePose {
   // The base frame coincides with that of the world.
   constexpr BasicBasePose() = default;
 
-  // Of any length but zero. The position (m) is that of the base origin, in world axes.
+  // The quaternion may have any length but zero. The position (m) is that of the base origin, in world axes.
   static BasicBasePose from_quaternion_wxyz(
       Scalar w,
       Scalar x,
@@ -61,7 +61,7 @@ class BasicBasePose {
   static BasicBasePose from_rotation(const Matrix3& R, const Vector3& position = Vector3::Zero()) noexcept {
     const Matrix3 gram = R.transpose() * R;
     const Scalar deviation = (gram - Matrix3::Identity()).cwiseAbs().maxCoeff();
-    // A NaN fails, too.
+    // A NaN fails as well.
     const bool is_rotation = deviation < Scalar(kRotationTolerance) && R.determinant() > Scalar(0);
     if (!is_rotation) return from_quaternion_wxyz(Scalar(0), Scalar(0), Scalar(0), Scalar(0), position);
     return from_quaternion(Quaternion(R), position);
@@ -87,10 +87,11 @@ class BasicBasePose {
   Matrix3 rotation() const noexcept { return quaternion().toRotationMatrix(); }
   Vector3 position() const noexcept { return Vector3(elements_[4], elements_[5], elements_[6]); }
 
-  // What kernels take: w, x, y, z of the quaternion, then the position.
+  // The pose as kernels take it: w, x, y, z of the quaternion, then the position.
   const Scalar* data() const noexcept { return elements_; }
 
-  // world_X_base: times a homogeneous transform of the robot, the pose of its frame in the world.
+  // world_X_base. Multiplied by a homogeneous transform base_X_frame of the robot, it gives the pose of that frame in
+  // the world.
   Matrix4 homogeneous() const noexcept {
     Matrix4 X = Matrix4::Identity();
     X.template topLeftCorner<3, 3>() = rotation();
@@ -108,17 +109,17 @@ class BasicBasePose {
     return X;
   }
 
-  // The same vector in the axes of the world, and in those of the base.
+  // Change the axes of a vector: from base to world axes, and from world to base axes.
   Vector3 to_world_axes(const Vector3& v) const noexcept { return quaternion() * v; }
   Vector3 to_base_axes(const Vector3& v) const noexcept { return quaternion().conjugate() * v; }
 
  private:
-  // Elements of R^T R - 1: far above what printed matrices have, far below a mistake.
+  // Bound of the elements of R^T R - 1: far above the rounding of printed matrices, far below a mistake.
   static constexpr double kRotationTolerance = 1e-3;
 
   BasicBasePose(const Vector4& wxyz, const Vector3& position) noexcept {
     using std::sqrt;
-    // Eigen would leave zeros as they are, and make the identity of them.
+    // Eigen's normalize() would leave zeros as they are, and the rotation matrix would be the identity.
     Eigen::Map<Vector4> unit(elements_);
     unit = wxyz / sqrt(wxyz.squaredNorm());
     Eigen::Map<Vector3> origin(elements_ + 4);
@@ -130,7 +131,8 @@ class BasicBasePose {
 
 using BasePose = BasicBasePose<double>;
 
-// What the functions of a floating-base robot ask for. Gravity in world axes is (0, 0, -9.81) m/s^2 unless given.
+// Gravity in base coordinates, as functions of a floating-base robot take it. Gravity in world axes is (0, 0, -9.81)
+// m/s^2 unless given.
 template <class Scalar>
 BasicGravity<Scalar> gravity_in_base(
     const BasicBasePose<Scalar>& pose,
@@ -138,7 +140,7 @@ BasicGravity<Scalar> gravity_in_base(
   return BasicGravity<Scalar>(pose.to_base_axes(gravity_in_world.vector()));
 }
 
-// The pose after the base moved with this constant twist for dt (s): exact, a screw motion. The quaternion remains at
+// The pose after the base has moved with this constant twist for dt (s): an exact screw motion. The quaternion keeps
 // unit length, however many steps follow one another.
 template <class Scalar>
 BasicBasePose<Scalar> integrate(
@@ -151,8 +153,8 @@ BasicBasePose<Scalar> integrate(
       pose.position() + pose.to_world_axes(exponential::displacement<Scalar>(turn, shift)));
 }
 
-// The constant twist that leads from one pose to the other in one second, by a turn of at most half a turn:
-// integrate(from, difference(from, to), 1) is `to`. After exactly half a turn both senses are right.
+// The constant twist that leads from one pose to the other in one second, with a rotation of at most half a turn:
+// integrate(from, difference(from, to), 1) is `to`. For exactly half a turn, both senses of rotation are right.
 template <class Scalar>
 BasicTwist<Scalar> difference(const BasicBasePose<Scalar>& from, const BasicBasePose<Scalar>& to) noexcept {
   const Eigen::Matrix<Scalar, 3, 1> turn =
@@ -161,8 +163,8 @@ BasicTwist<Scalar> difference(const BasicBasePose<Scalar>& from, const BasicBase
   return BasicTwist<Scalar>(turn, exponential::shift_of_displacement<Scalar>(turn, shift));
 }
 
-// Derivatives, where small changes of a pose are twists in its own base coordinates, d: the pose becomes
-// integrate(pose, d, 1).
+// Derivatives by a pose are with respect to small changes d, which are twists in its own base coordinates: the pose
+// becomes integrate(pose, d, 1).
 template <class Scalar>
 struct IntegrateDerivatives {
   Eigen::Matrix<Scalar, 6, 6> by_pose;
@@ -170,7 +172,7 @@ struct IntegrateDerivatives {
   BasicTwist<Scalar> by_dt;
 };
 
-// Of integrate(pose, base_velocity, dt); they do not depend on the pose.
+// Derivatives of integrate(pose, base_velocity, dt), which do not depend on the pose.
 template <class Scalar>
 IntegrateDerivatives<Scalar> integrate_derivatives(
     const BasicTwist<Scalar>& base_velocity,
@@ -187,7 +189,7 @@ struct DifferenceDerivatives {
   Eigen::Matrix<Scalar, 6, 6> by_to;
 };
 
-// Of difference(from, to); like it, they jump where the turn passes half a turn.
+// Derivatives of difference(from, to). Like it, they jump where the rotation passes half a turn.
 template <class Scalar>
 DifferenceDerivatives<Scalar> difference_derivatives(
     const BasicBasePose<Scalar>& from,
@@ -199,8 +201,8 @@ DifferenceDerivatives<Scalar> difference_derivatives(
       exponential::inverse_right_jacobian<Scalar>(d.angular(), d.linear())};
 }
 
-// Angular acceleration of the base (rad/s^2), then the acceleration of its origin (m/s^2): the second derivative of the
-// position. In base axes; an accelerometer at the origin measures the latter minus gravity.
+// Angular acceleration of the base (rad/s^2), then the acceleration of its origin (m/s^2), which is the second time
+// derivative of the position. Both are in base axes. An accelerometer at the origin measures the latter minus gravity.
 template <class Scalar>
 class BasicClassicalAcceleration : public SpatialVector<BasicClassicalAcceleration<Scalar>, Scalar> {
  public:
@@ -209,7 +211,7 @@ class BasicClassicalAcceleration : public SpatialVector<BasicClassicalAccelerati
 
 using ClassicalAcceleration = BasicClassicalAcceleration<double>;
 
-// The two differ by angular velocity x linear velocity (Featherstone 2008, eq. 2.48).
+// Classical and spatial acceleration differ by angular velocity x linear velocity (Featherstone 2008, eq. 2.48).
 template <class Scalar>
 BasicClassicalAcceleration<Scalar> classical_from_spatial(
     const BasicSpatialAcceleration<Scalar>& acceleration,

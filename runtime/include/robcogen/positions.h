@@ -1,12 +1,12 @@
-// Joint positions of any robot: their type, how they move, and the way between two of them.
+// Joint positions of any robot: their type, how they move, and the difference between two of them.
 //
 // The positions of a spherical joint are a unit quaternion: four elements w, x, y, z of q, for three of qd. It rotates
 // coordinates of the child to those of the joint frame, and its velocity is the angular velocity (rad/s) of the child
 // with respect to the parent, in axes of the child. All other positions are numbers (rad, m), one for each element of
 // qd. A robot with spherical joints has a type JointPositions of its own, and lists the elements of q at which its
 // quaternions begin: kQuaternions. A robot with loops that no formulas close has that type, too: the last elements of
-// q, its followers, are joints whose positions close_loops finds. With all other robots these are vectors of the same
-// type, and they are added.
+// q, its followers, are joints whose positions close_loops finds. For all other robots, positions and velocities are
+// vectors of the same type, and they can be added.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@ template <class R>
 struct FollowersOf<R, std::void_t<decltype(R::kAssembledFollowers)>> {
   static constexpr auto kAssembled = R::kAssembledFollowers;
 };
-// Where loops are assembled: an element of qd each.
+// The positions at which loops are assembled, one for each element of qd.
 template <class R, class = void>
 struct CoordinatesOf {
   static constexpr std::array<double, 0> kAssembled = {};
@@ -58,14 +58,14 @@ inline constexpr int kPositionCount = JointPositions<R>::SizeAtCompileTime;
 template <class R>
 inline constexpr auto kQuaternions = positions::Of<R>::kQuaternions;
 
-// The number of the last elements of q, which follow the others through loops that no formulas close.
+// The number of followers, the last elements of q, which follow the others through loops that no formulas close.
 template <class R>
 inline constexpr int kFollowerCount = static_cast<int>(positions::FollowersOf<R>::kAssembled.size());
 
 namespace positions {
 
-// Calls quaternion(first of q, first of qd) for each, and number(of q, of qd) for all other elements but
-// followers.
+// Calls quaternion(first index in q, first index in qd) for each quaternion, and number(index in q, index in qd) for
+// each other element that is not a follower.
 template <class R, class Quaternion, class Number>
 void visit(const Quaternion& quaternion, const Number& number) noexcept {
   int velocity = 0;
@@ -97,8 +97,8 @@ void set_quaternion(Vector& q, int k, const Quaternion& value) noexcept {
 
 }  // namespace positions
 
-// Zero, or where loops are assembled; of spherical joints the frames of child and joint coincide; followers where their
-// loops close.
+// Zero, or the positions at which loops are assembled. The frames of child and joint coincide for spherical joints, and
+// followers are where their loops close.
 template <class R>
 JointPositions<R> neutral_positions() noexcept {
   JointPositions<R> q = JointPositions<R>::Zero();
@@ -116,15 +116,15 @@ JointPositions<R> neutral_positions() noexcept {
   return q;
 }
 
-// The same with quaternions of unit length, as functions of robots require.
+// The same positions with quaternions of unit length, as functions of robots require.
 template <class R>
 JointPositions<R> normalised_positions(JointPositions<R> q) noexcept {
   for (const int k : kQuaternions<R>) q.template segment<4>(k).normalize();
   return q;
 }
 
-// Where q is after `duration` (s) with constant velocities qd: spherical joints turn about a fixed axis, exactly.
-// Quaternions keep unit length. Of robots without followers.
+// The positions after `duration` (s) with constant velocities qd. Spherical joints turn exactly, about a fixed axis;
+// quaternions keep unit length. For robots without followers.
 template <class R>
 JointPositions<R> integrate_positions(
     const JointPositions<R>& q,
@@ -138,7 +138,7 @@ JointPositions<R> integrate_positions(
       [&](int k, int velocity) {
         const Vector3 half = qd.template segment<3>(velocity) * (duration / 2);
         const Scalar angle = half.norm();
-        // sin(angle) / angle, where the next term of its series is not seen.
+        // sin(angle) / angle, by its series where the next term does not change the quaternion.
         constexpr Scalar kSmall = Scalar(1e-3);
         const Scalar quotient = angle > kSmall ? std::sin(angle) / angle : 1 - angle * angle / 6;
         Eigen::Quaternion<Scalar> turn(std::cos(angle), 0, 0, 0);
@@ -149,8 +149,8 @@ JointPositions<R> integrate_positions(
   return result;
 }
 
-// The way from one position to another, an element a velocity: integrate_positions(from, way, 1) = to. A spherical
-// joint takes the shorter way, of at most half a turn (rad, in axes of the child).
+// The motion from one position to another, one element per velocity: integrate_positions(from, way, 1) = to. A
+// spherical joint turns in the shorter direction, by at most half a turn (rad, in axes of the child).
 template <class R>
 typename R::JointState position_difference(const JointPositions<R>& from, const JointPositions<R>& to) noexcept {
   using Scalar = typename R::Scalar;
@@ -160,7 +160,7 @@ typename R::JointState position_difference(const JointPositions<R>& from, const 
         const Eigen::Quaternion<Scalar> turn =
             positions::quaternion_at(from, k).conjugate() * positions::quaternion_at(to, k);
         const Scalar sine = turn.vec().norm(), cosine = std::abs(turn.w());
-        // 2 angle / sine of half the turn, without loss near none.
+        // The angle of the turn divided by the sine of its half, without loss of digits for small turns.
         const Scalar factor = sine > 0 ? 2 * std::atan2(sine, cosine) / sine : Scalar(2);
         way.template segment<3>(velocity) = (turn.w() < 0 ? -factor : factor) * turn.vec();
       },
@@ -168,7 +168,8 @@ typename R::JointState position_difference(const JointPositions<R>& from, const 
   return way;
 }
 
-// dq/dt at velocities qd: of a quaternion Q (0, w) / 2, which is not of unit length. Of robots without followers.
+// dq/dt at velocities qd. For a quaternion Q it is Q (0, w) / 2 with the angular velocity w, which does not have unit
+// length. For robots without followers.
 template <class R>
 JointPositions<R> position_rates(const JointPositions<R>& q, const typename R::JointState& qd) noexcept {
   static_assert(kFollowerCount<R> == 0, "joint_velocities has the rates of joints that follow through loops");

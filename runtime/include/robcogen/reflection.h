@@ -12,8 +12,8 @@
 
 namespace robcogen::reflection {
 
-// A spherical joint has three of these in a row with one parent and one child, its components: the angular velocities
-// about the x, y and z axis of the child.
+// A spherical joint has three of these in a row, with the same parent and child: its components, which are the angular
+// velocities about the x, y and z axis of the child.
 struct Joint {
   const char* name;
   JointType type;
@@ -24,8 +24,8 @@ struct Joint {
   double translation[3];
   double rotation[3];
   JointDrive drive = {};
-  double pitch = 0;      // of a helical joint: m a radian
-  double assembled = 0;  // of an element of qd: its position (rad, m) where loops are assembled
+  double pitch = 0;      // of a helical joint, m/rad
+  double assembled = 0;  // for elements of qd: position (rad, m) at which loops are assembled
 };
 
 struct Link {
@@ -43,15 +43,15 @@ struct Frame {
   double rotation[3];
 };
 
-// A kernel that reads some arrays, first q (for a robot with parameters, before it the cache), and writes another one,
-// matrices column by column.
+// A kernel that reads some arrays, q first, and writes another one, matrices column by column. For a robot with
+// parameters it reads the cache before q.
 template <class... Arrays>
 class Kernel {
  public:
   using Constant = void (*)(Arrays... read, double* written) noexcept;
   using Parametric = void (*)(const double* parameters, Arrays... read, double* written) noexcept;
 
-  constexpr Kernel(std::nullptr_t) {}  // none: must not be called
+  constexpr Kernel(std::nullptr_t) {}  // no kernel: must not be called
   constexpr Kernel(Constant kernel) : constant_(kernel) {}
   constexpr Kernel(Parametric kernel) : parametric_(kernel) {}
 
@@ -70,7 +70,7 @@ class Kernel {
   Parametric parametric_ = nullptr;
 };
 
-// Of q, and of q and qd.
+// Kernels that read q, and kernels that read q and qd.
 using MatrixKernel = Kernel<const double*>;
 using RateKernel = Kernel<const double*, const double*>;
 
@@ -98,10 +98,10 @@ struct Jacobian {
 enum class FrameQuantity {
   jacobian_in_target,       // left_J_right in axes of `right`
   spatial_jacobian,         // of the twist about the origin and in axes of `left`
-  jacobian_derivative,      // of left_J_right by time
-  frame_bias_acceleration,  // that derivative times qd
+  jacobian_derivative,      // time derivative of left_J_right
+  frame_bias_acceleration,  // time derivative of left_J_right, times qd
   frame_velocity,           // twist of `right` with respect to `left`, about the origin and in axes of `left`
-  frame_acceleration,       // its derivative by time, in coordinates of `left`
+  frame_acceleration,       // time derivative of this twist, in coordinates of `left`
 };
 
 constexpr bool is_jacobian(FrameQuantity quantity) {
@@ -116,11 +116,11 @@ struct FrameFunction {
   int right;
   const int* columns;  // Jacobians: joint index of each column
   int column_count;    // of the result, which has six rows
-  // As Function::call; the inputs are the first ones of q, qd, qdd.
+  // Like Function::call; the inputs are q, q and qd, or q, qd and qdd.
   void (*call)(const double* inputs, double* outputs) noexcept;
 };
 
-// Where arrays begin among the scalars that a function of the tables reads, or writes.
+// Offsets of arrays among the scalars that a function of the tables reads, or writes.
 template <int... offsets>
 struct At {};
 
@@ -166,16 +166,16 @@ struct FlatBatch<kernel, has_parameters, At<read...>, At<written...>> {
 
 }  // namespace detail
 
-// A kernel under one signature for all: the arrays that it reads stand one after another, and so do those that it
-// writes.
+// A kernel with one signature for all kernels: the arrays that it reads follow one another in memory, and so do the
+// arrays that it writes.
 template <auto kernel, class Read, class Written>
 inline constexpr auto* kFlat = &detail::Flat<kernel, Read, Written>::call;
 
-// The same of a kernel that takes sines and cosines between some of these arrays and the others.
+// The same for a kernel that takes sines and cosines after some of these arrays and before the others.
 template <auto kernel, class Before, class Behind, class Written>
 inline constexpr auto* kFlatCore = &detail::FlatCore<kernel, Before, Behind, Written>::call;
 
-// The same of a function over many states, whose parameters stand apart, if there are some.
+// The same for a function over many states. Parameters, if there are any, are a separate argument.
 template <auto kernel, bool has_parameters, class Read, class Written>
 inline constexpr auto* kFlatBatch = &detail::FlatBatch<kernel, has_parameters, Read, Written>::call;
 
@@ -192,30 +192,30 @@ struct OperationCount {
 struct Function {
   const char* name;  // the kernel's name
   OperationCount count;
-  // Scalars that it reads and writes; `call` takes the arrays of the kernel one after another, in the order of the
-  // kernel.
+  // Numbers of scalars that it reads and writes. `call` takes the arrays of the kernel one after another, in the order
+  // of the kernel.
   int inputs;
   int outputs;
   void (*call)(const double* inputs, double* outputs) noexcept;
-  // Where it reads sines or cosines of joints, and of robots with spherical joints: where the joint positions begin
-  // among the inputs; -1: it has none, or it is not said. Then the same function of the sines and cosines of all
-  // joints, as Trigonometry computes them.
+  // Index of the first joint position among the inputs, for functions that read sines or cosines of joints and for
+  // robots with spherical joints; -1 if there is none, or if it is not stated. `call_core` is the same function of the
+  // sines and cosines of all joints, as Trigonometry computes them.
   int positions = -1;
   void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
 };
 
-// Derivatives among the results of a function: of other results, by an input.
+// Derivatives of results of a function by an input, which are among the results of the same function.
 struct Derivative {
   const char* name;    // `inverse_dynamics_d_q: tau by q`
   int function;        // index into the functions
-  bool by_parameters;  // by those of the model, from which the first inputs, the cache, follow
-  int input, columns;  // the first of the inputs, and how many they are
-  int value, rows;     // the first of the results, and how many they are
-  int place;           // the first of the derivatives among the results; a column for each input
+  bool by_parameters;  // by the parameters of the model; the first inputs, the cache, are computed from them
+  int input, columns;  // index of the first input, and number of inputs
+  int value, rows;     // index of the first result, and number of results
+  int place;           // index of the first derivative among the results; one column for each input
 };
 
-// The function of the same name over n states. `parameters` is the cache of a robot that has some, which is not among
-// the inputs here, and else not read.
+// The function of the same name over n states. `parameters` is the cache of a robot with parameters, which is not among
+// the inputs here; other robots do not read it.
 struct BatchFunction {
   const char* name;
   int inputs;  // of each state
@@ -228,8 +228,8 @@ struct BatchFunction {
       batch::Level most) noexcept;
 };
 
-// Sines and cosines of all angles that functions read: first of each joint. `parameters` is the cache of a robot that
-// has some, and else not read.
+// Sines and cosines of all angles that functions read, those of the joints first. `parameters` is the cache of a robot
+// with parameters; other robots do not read it.
 struct Trigonometry {
   int angles = 0;
   void (*compute)(const double* parameters, const double* q, double* sin_q, double* cos_q) noexcept = nullptr;
@@ -243,16 +243,16 @@ struct Trigonometry {
 
 struct Parameter {
   const char* name;
-  bool dynamics;         // a parameter of mass properties; else a length or an angle
-  double default_value;  // not a number: none
+  bool dynamics;         // a parameter of mass properties; otherwise a length or an angle
+  double default_value;  // NaN: no default
   bool shared = false;   // a parameter of mass properties that is a length or an angle too
 };
 
 // A joint whose position follows others: offset + the sum of factor * q.
 struct Coupling {
-  const double* factors;  // one an element of qd; not numbers where a loop gives none (not a parallelogram)
-  double offset;          // rad or m; the same
-  double assembled = 0;   // of a loop that is not assembled next to where the joint is drawn: its position there
+  const double* factors;  // one per element of qd; NaN where a loop (not a parallelogram) gives no factors
+  double offset;          // rad or m; NaN likewise
+  double assembled = 0;   // position at which the loop is assembled, if that is not next to where the joint is drawn
 };
 
 template <class T>
@@ -266,7 +266,7 @@ struct Table {
 
 using BatchFunctions = Table<BatchFunction>;
 
-// A frame that touches what does not move, by a point or by a surface.
+// A frame that touches something that does not move, with a point or with a surface.
 struct Contact {
   int frame;
   bool is_surface;
@@ -274,13 +274,13 @@ struct Contact {
 
 enum class LoopType { point, hinge, slider, weld, distance };
 
-// What stays the same between two frames: that their origins coincide; these and their z axes; all but how far one
-// slides along the z axes; all; or the distance of their origins.
+// What a loop keeps constant between two frames. A point keeps their origins together, a hinge also their z axes; a
+// slider keeps everything but the displacement along the z axes, a weld everything, a distance that of their origins.
 struct Loop {
   const char* name;
   LoopType type;
   int frames[2];
-  double length;  // of a distance (m); not a number where it depends on parameters without defaults
+  double length;  // of a distance (m); NaN if it depends on parameters without defaults
 };
 
 // A linear actuator between the origins of two frames.
@@ -289,17 +289,17 @@ struct Actuator {
   int frames[2];
 };
 
-// Of all actuators, in the order of their table, where the library has them: in the groups transforms and jacobians.
+// Kernels for all actuators, in the order of their table. A library has them with the groups transforms and jacobians.
 struct ActuatorKernels {
   MatrixKernel lengths = nullptr;   // m
   RateKernel velocities = nullptr;  // rates of the lengths (m/s)
-  MatrixKernel jacobian = nullptr;  // lever arms: a row an actuator, a column an element of qd
+  MatrixKernel jacobian = nullptr;  // lever arms: one row per actuator, one column per element of qd
 };
 
 // A coupled joint whose position is an element of q: it follows through loops that no formulas close.
 struct Follower {
   int joint;
-  double assembled;  // its position where loops are assembled: those of the coordinates are Joint::assembled
+  double assembled;  // its position where loops are assembled; for elements of qd it is Joint::assembled
 };
 
 struct Robot {
@@ -313,16 +313,16 @@ struct Robot {
   Table<FrameFunction> frame_functions;
   Table<Function> functions;
   Trigonometry trigonometry = {};
-  // Robots with parameters: `links`, `joints` and `frames` above hold the numbers of the defaults. For other values,
-  // `numbers` computes them, in the order of the tables: of a link mass, com and inertia, of joints and frames
-  // translation and rotation.
+  // For robots with parameters, `links`, `joints` and `frames` above hold the numbers of the defaults. `numbers`
+  // computes them for other values, in the order of the tables: mass, com and inertia of each link, translation and
+  // rotation of each joint and frame.
   Table<Parameter> parameters = {nullptr, 0};
   void (*numbers)(const double* parameters, double* links, double* joints, double* frames) noexcept = nullptr;
-  // Whether the numbers of a joint include those of its drive, in the order of JointDrive, behind its rotation.
+  // Whether the numbers of a joint include those of its drive, in the order of JointDrive, after its rotation.
   bool numbers_of_drives = false;
   // Whether damping, friction and springs of the drives are part of inverse and forward dynamics.
   bool passive_forces = true;
-  // And of each coupling its factors, then its offset.
+  // The same for couplings: the factors of each coupling, then its offset.
   void (*coupling_numbers)(const double* parameters, double* couplings) noexcept = nullptr;
   Table<Coupling> couplings = {nullptr, 0};  // of the last joints, in order
   Table<Derivative> derivatives = {nullptr, 0};
@@ -330,7 +330,7 @@ struct Robot {
   // Whether the numbers of a joint end with its pitch.
   bool numbers_of_pitches = false;
   Limbs limbs = {};
-  // Where there are some, couplings whose factors are not numbers follow through these.
+  // Couplings whose factors are NaN follow through these loops.
   Table<Loop> loops = {nullptr, 0};
   Table<Actuator> actuators = {nullptr, 0};
   Table<Follower> followers = {nullptr, 0};  // the last elements of q, in order
@@ -339,17 +339,17 @@ struct Robot {
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.
   constexpr int position_count() const { return dof() + quaternions_up_to(dof() - 1) + followers.size; }
-  // The element of q that belongs to an element of qd; of a component of a spherical joint that of the vector part of
-  // its quaternion, whose scalar part is in front of the first one.
+  // The element of q that belongs to an element of qd. For a component of a spherical joint it is an element of the
+  // vector part of the quaternion, whose scalar part precedes the first component.
   constexpr int position_of(int joint) const { return joint + quaternions_up_to(joint); }
-  // 0, 1, 2 of the components of a spherical joint, and 2 of other joints: the axis of the child that it turns about.
+  // The axis of the child that a joint turns about: 0, 1, 2 for the components of a spherical joint, 2 for others.
   constexpr int axis_of(int joint) const {
     if (joints[joint].type != JointType::spherical) return 2;
     int axis = 0;
     while (axis < 2 && joint - axis > 0 && joints[joint - axis - 1].child == joints[joint].child) ++axis;
     return axis;
   }
-  // Whether a joint is a component of a spherical one behind the first.
+  // Whether a joint is a component of a spherical joint other than the first.
   constexpr bool is_follower(int joint) const {
     return joints[joint].type == JointType::spherical && axis_of(joint) > 0;
   }

@@ -1,7 +1,7 @@
-// Exponential of rigid motions, its inverse, and the derivatives of both: what pose.h computes with.
+// Exponential of rigid motions, its inverse, and the derivatives of both, for pose.h.
 //
-// A turn is a vector along the axis whose length is the angle (rad). No quotient is formed that loses digits at small
-// angles: all follows from Stumpff's functions.
+// A turn is a vector along the axis whose length is the angle (rad). Everything is computed from Stumpff's functions,
+// so no quotient loses digits at small angles.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct Stumpff {
   Scalar c1, c2, c3, c4, c5;
 };
 
-// k! c_k, for t^2 <= 1. The first term that is left out is below 1e-19.
+// k! c_k, for t^2 <= 1. The first omitted term is below 1e-19.
 template <class Scalar>
 Scalar stumpff_series(int k, const Scalar& squared_angle) noexcept {
   constexpr int kTerms = 9;
@@ -58,19 +58,19 @@ Eigen::Quaternion<Scalar> quaternion(const Eigen::Matrix<Scalar, 3, 1>& turn) no
   return Eigen::Quaternion<Scalar>(Scalar(1) - quarter * half.c2, v.x(), v.y(), v.z());
 }
 
-// Inverse of `quaternion`, of at most half a turn. atan2 keeps all digits from 0 to pi, where an arc cosine loses half
-// of them at either end.
+// Inverse of `quaternion`, with a result of at most half a turn. atan2 keeps all digits from 0 to pi, whereas an arc
+// cosine loses half of them at either end.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> rotation_vector(const Eigen::Quaternion<Scalar>& q) noexcept {
   using std::atan2, std::sqrt;
-  const Scalar sign = q.w() < Scalar(0) ? Scalar(-1) : Scalar(1);  // both signs are one rotation
+  const Scalar sign = q.w() < Scalar(0) ? Scalar(-1) : Scalar(1);  // both signs represent the same rotation
   const Scalar squared = q.vec().squaredNorm();
   if (squared == Scalar(0)) return Scalar(2) * sign * q.vec();
   const Scalar sine = sqrt(squared);
   return Scalar(2) * sign * atan2(sine, sign * q.w()) / sine * q.vec();
 }
 
-// Where a body is after it moved for a unit of time with constant twist (turn, shift), in the axes that it started in:
+// The displacement of a body that moves for a unit of time with constant twist (turn, shift), in its initial axes:
 // V shift with V = 1 + c_2 [turn] + c_3 [turn]^2 (Barfoot, State Estimation for Robotics, 2017, eq. 7.37).
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> displacement(
@@ -113,8 +113,8 @@ Eigen::Matrix<Scalar, 3, 3> displacement_by_turn(
   return -c.c2 * cross_matrix(shift) + c.c3 * twice_by_turn + by_angle * turn.transpose();
 }
 
-// The right Jacobian Jr: with a body that (turn, shift) moved, small changes d of these six move it by the twist Jr d
-// in its own coordinates (Barfoot 2017, sec. 7.1.5 has the left one of (shift, turn)).
+// The right Jacobian Jr: small changes d of the six elements of (turn, shift) move the body, in its own coordinates
+// after the motion, by the twist Jr d (Barfoot 2017, sec. 7.1.5 has the left Jacobian, of (shift, turn)).
 template <class Scalar>
 Eigen::Matrix<Scalar, 6, 6> right_jacobian(
     const Eigen::Matrix<Scalar, 3, 1>& turn,
@@ -131,7 +131,7 @@ Eigen::Matrix<Scalar, 6, 6> right_jacobian(
   return J;
 }
 
-// By blocks; for turns below a full one.
+// Inverse of `right_jacobian`, by blocks; for turns below a full one.
 template <class Scalar>
 Eigen::Matrix<Scalar, 6, 6> inverse_right_jacobian(
     const Eigen::Matrix<Scalar, 3, 1>& turn,

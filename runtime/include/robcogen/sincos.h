@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-// Functions without a type of the caller among their arguments are inlined in each file, which may be compiled for a
-// processor that others are not for.
+// Functions whose arguments have no type of the caller are inlined in each file, because files of one program may be
+// compiled for different processors.
 #if defined(__GNUC__)
 #define ROBCOGEN_INLINE inline __attribute__((always_inline))
 #else
@@ -19,7 +19,7 @@ struct SinCos {
   Scalar cos;
 };
 
-// Any scalar that brings its own sin and cos: they are found by argument-dependent lookup.
+// For any scalar that has its own sin and cos, which are found by argument-dependent lookup.
 template <class Scalar>
 inline SinCos<Scalar> sincos(const Scalar& x) {
   using std::cos;

@@ -22,7 +22,7 @@ namespace robcogen {
 namespace {  // separate in each file, like lanes
 namespace lanes {
 
-// Angles out of the range of the polynomials, and NaN.
+// Replaces the results for NaN and for angles out of the range of the polynomials.
 template <class Scalar>
 ROBCOGEN_RARE void replace_large(const Scalar* x, int count, Scalar* sine, Scalar* cosine) noexcept {
   for (int i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ ROBCOGEN_RARE void replace_large(const Scalar* x, int count, Scalar* sine, Scala
   }
 }
 
-// By value: an object whose address is not taken stays in registers.
+// The same with arguments by value: an object whose address is not taken stays in registers.
 template <class Scalar, int kSize>
 ROBCOGEN_RARE SinCos<Lanes<Scalar, kSize>> replaced_large(
     Lanes<Scalar, kSize> x,
@@ -52,14 +52,14 @@ constexpr int kTogether = kInRegister<Scalar> < 4 ? kInRegister<Scalar> : 4;
 template <class Scalar>
 using Together = Vector<Scalar, kTogether<Scalar>>;
 
-// The elements from kFirst on; lanes beyond kCount elements are zero. One by one: numbers that have just been computed
-// stay in registers, where a vector that is loaded would wait until all of them are stored.
+// The elements from kFirst on; lanes beyond kCount elements are zero. They are read one by one: numbers that have just
+// been computed stay in registers, whereas the load of a vector would wait until all of them are stored.
 template <int kFirst, int kCount, class Scalar, int... kLane>
 ROBCOGEN_INLINE Together<Scalar> gathered(const Scalar* x, std::integer_sequence<int, kLane...>) noexcept {
   return Together<Scalar>{(kFirst + kLane < kCount ? x[kFirst + kLane < kCount ? kFirst + kLane : 0] : Scalar(0))...};
 }
 
-// The first kUsed elements, the first two as a block.
+// Stores the first kUsed elements, the first two as a block.
 template <int kUsed, class Scalar>
 ROBCOGEN_INLINE void store_first(const Together<Scalar>& from, Scalar* to) noexcept {
   if constexpr (kUsed == 1) {
@@ -70,7 +70,7 @@ ROBCOGEN_INLINE void store_first(const Together<Scalar>& from, Scalar* to) noexc
   }
 }
 
-// From and to the first kUsed elements.
+// Reads and writes the first kUsed elements.
 template <int kUsed, class Scalar>
 ROBCOGEN_INLINE void sincos_together(
     const Scalar* x,
@@ -79,7 +79,7 @@ ROBCOGEN_INLINE void sincos_together(
     Bits<Together<Scalar>>& beyond) noexcept {
   Together<Scalar> angles, s, c;
   if constexpr (kUsed == kTogether<Scalar>) {
-    // As a block: gcc would move element by element.
+    // Copied as a block, because gcc would otherwise move element by element.
     std::memcpy(&angles, x, sizeof(angles));
     polynomials(angles, s, c, beyond);
     std::memcpy(sine, &s, sizeof(s));
@@ -98,19 +98,20 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* x, Scalar* sine, Scalar* cosine) no
   constexpr int kSize = kTogether<Scalar>, kWhole = kCount / kSize * kSize;
   Bits<Together<Scalar>> beyond = {};
   for (int i = 0; i < kWhole; i += kSize) sincos_together<kSize>(x + i, sine + i, cosine + i, beyond);
-  // The last ones overlap those before, when there are enough, because a whole vector moves as a block.
+  // If there are enough angles, the last vector overlaps the one before, because a whole vector moves as a block.
   constexpr int kLast = kCount < kSize ? kCount : kSize, kFrom = kCount - kLast;
   if constexpr (kWhole < kCount) sincos_together<kLast>(x + kFrom, sine + kFrom, cosine + kFrom, beyond);
   if (any_beyond<Scalar>(beyond)) replace_large(x, kCount, sine, cosine);
 }
 
-// Angles in registers: a vector for each kTogether of them.
+// Angles in registers, kTogether in each vector.
 template <class Scalar, int kVectors>
 struct Angles {
   Together<Scalar> vectors[kVectors];
 };
 
-// Angles out of the range of the polynomials, and NaN; the i-th of them has the place kTo[i].
+// Replaces the results for NaN and for angles out of the range of the polynomials. The results of the i-th angle are at
+// index kTo[i].
 template <int... kTo, class Scalar, int kVectors>
 ROBCOGEN_RARE void replace_large_at(Angles<Scalar, kVectors> angles, Scalar* sine, Scalar* cosine) noexcept {
   constexpr int kPlaces[] = {kTo...};
@@ -120,7 +121,7 @@ ROBCOGEN_RARE void replace_large_at(Angles<Scalar, kVectors> angles, Scalar* sin
     replace_large(numbers + i, 1, sine + kPlaces[i], cosine + kPlaces[i]);
 }
 
-// The first of the elements to their places.
+// Stores lane i at index kTo[kFirst + i].
 template <int kFirst, int... kTo, class Scalar, int... kLane>
 ROBCOGEN_INLINE void scatter(const Together<Scalar>& from, Scalar* to, std::integer_sequence<int, kLane...>) noexcept {
   constexpr int kCount = sizeof...(kTo), kPlaces[] = {kTo...};
@@ -153,7 +154,7 @@ ROBCOGEN_INLINE void sincos_scattered(
     sincos_scattered<kFirst + kTogether<Scalar>, kTo...>(x, sine, cosine, angles, beyond);
 }
 
-// The sine and cosine of x[i] to the i-th of kTo. Scalar: double or float.
+// Stores the sine and cosine of x[i] at index kTo[i]. Scalar: double or float.
 template <int... kTo, class Scalar>
 ROBCOGEN_INLINE void sincos_to(const Scalar* x, Scalar* sine, Scalar* cosine) noexcept {
   Bits<Together<Scalar>> beyond = {};
@@ -162,7 +163,8 @@ ROBCOGEN_INLINE void sincos_to(const Scalar* x, Scalar* sine, Scalar* cosine) no
   if (any_beyond<Scalar>(beyond)) replace_large_at<kTo...>(angles, sine, cosine);
 }
 
-// For lanes: the vectors that they consist of. Registers of SSE hold four floats, and two of them become four.
+// Size of the vectors that values with lanes consist of. SSE registers hold four floats, so two lanes are computed as
+// four.
 template <class Scalar, int kSize>
 constexpr int kLeaf = kSize < kInRegister<Scalar> ? kSize : kInRegister<Scalar>;
 #if defined(__SSE2__) && ROBCOGEN_HAS_VECTORS
@@ -197,7 +199,7 @@ ROBCOGEN_INLINE void sincos(
   }
 }
 
-// For lanes that fill at most half of a register, two values at a time; the last one may be single.
+// For values that fill at most half of a register: computes two at a time; the last one may be single.
 template <int kCount, class Scalar, int kSize, class Beyond>
 ROBCOGEN_INLINE void sincos_in_pairs(
     const Lanes<Scalar, kSize>* x,
@@ -244,7 +246,7 @@ constexpr bool kIsComputed<Lanes<Scalar, kSize>> = std::is_same_v<Scalar, double
 }  // namespace lanes
 }  // namespace
 
-// As for any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
+// For lanes, as for any other scalar. (Not in the unnamed namespace, where a qualified name would not find it.)
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Lanes<Scalar, kSize>>) {
@@ -265,9 +267,9 @@ ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos(const Lanes<Scalar, kSize>& 
 
 namespace {
 
-// Whether all are so small that sincos_of_small has the sines and cosines of each, and of sums of three of them. Judged
-// by the sum of their squares, where those in two blocks count twice: at most 3e4^2 (for float 120^2), and not
-// NaN. (Under -ffast-math a NaN may pass: its sine and cosine are NaN either way.)
+// Whether all angles are so small that sincos_of_small holds for each of them and for sums of three of them: the sum of
+// their squares, in which angles that are in two blocks count twice, is at most 3e4^2 (for float 120^2), and not NaN.
+// (Under -ffast-math a NaN may pass: its sine and cosine are NaN either way.)
 template <int kCount, class Scalar>
 ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
   constexpr Scalar kLimit = lanes::kSmall<Scalar> * lanes::kSmall<Scalar>;
@@ -288,7 +290,7 @@ ROBCOGEN_INLINE bool are_small(const Scalar* angles) noexcept {
   return sum_lanes(sum) <= kLimit;
 }
 
-// Sines and cosines of angles that have passed this test.
+// Sines and cosines of angles that pass this test.
 template <class Scalar, int kSize>
 ROBCOGEN_INLINE SinCos<Lanes<Scalar, kSize>> sincos_of_small(const Lanes<Scalar, kSize>& x) noexcept {
   if constexpr (lanes::kIsComputed<Scalar>) {
@@ -311,8 +313,8 @@ ROBCOGEN_INLINE Lanes<Scalar, kSize> cos(const Lanes<Scalar, kSize>& x) noexcept
   return robcogen::sincos(x).cos;
 }
 
-// Whether angles are computed together: when measurements show that this is faster than the C library. Two and three
-// angles only for double; lanes always.
+// Whether angles are computed together, where measurements show that this is faster than the C library: two and three
+// angles only for double, lanes always.
 template <int kCount, class Scalar>
 constexpr bool kPays = lanes::kIsComputed<Scalar> && (kCount >= 4 || !std::is_floating_point_v<Scalar>);
 template <int kCount>
@@ -339,7 +341,7 @@ ROBCOGEN_INLINE void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosin
   }
 }
 
-// The same, written to places: the sine and cosine of angles[i] to the i-th of kTo.
+// The same, with the sine and cosine of angles[i] stored at index kTo[i].
 template <int... kTo, class Scalar>
 ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   constexpr int kCount = sizeof...(kTo);
@@ -353,14 +355,14 @@ ROBCOGEN_INLINE void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosin
   }
 }
 
-// The same for these angles only, to places of the same indices.
+// The same for the angles with indices kAt only; the results have the same indices.
 template <int... kAt, class Scalar>
 ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
   const Scalar packed[] = {angles[kAt]...};
   sincos_to<kAt...>(packed, sine, cosine);
 }
 
-// Sines and cosines of kSize angles as a value; they are computed together, also for few angles.
+// Sines and cosines of kSize angles as a value. They are computed together even for few angles.
 template <class Scalar, int kSize>
 class SinCosOf {
  public:

@@ -15,7 +15,7 @@
 #define ROBCOGEN_INLINE static inline
 #endif
 
-// Fused products and sums, rounded once: when the processor has them, and the compiler an intrinsic.
+// Fused products and sums, rounded once, are used if the processor has them and the compiler has an intrinsic.
 #define ROBCOGEN_FUSES 0
 #if defined(__FMA__) && ROBCOGEN_HAS_VECTORS && defined(__has_builtin)
 #if __has_builtin(__builtin_elementwise_fma)
@@ -32,10 +32,10 @@
 #endif
 
 namespace robcogen {
-namespace {  // each file's own, as lanes are
+namespace {  // separate in each file, like lanes
 namespace lanes {
 
-// `Numbers` is a vector of doubles or of floats, or one of them.
+// `Numbers` is a vector of doubles or of floats, or a single number.
 template <class Numbers, bool kIsOne = std::is_floating_point_v<Numbers>>
 struct ElementOf {
   using type = std::remove_cv_t<std::remove_reference_t<decltype(std::declval<const Numbers&>()[0])>>;
@@ -131,7 +131,7 @@ ROBCOGEN_INLINE Numbers all(Element<Numbers> x) noexcept {
   return x - Numbers{};
 }
 
-// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16.
+// Computes x - k pi / 2 as r - rest, where r is the nearest number to it, or near that. For |k| <= 2^16.
 //
 // For double, pi / 2 has parts of 53, 33 and 53 bits. The first difference is exact: it is below 1 and a multiple of
 // 2^-53. The second is exact when it is below 2^-34, because it is a multiple of 2^-86; when it is larger, r - first
@@ -148,9 +148,9 @@ ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numb
   rest = fused(k, all<Numbers>(kPart3), fused(k, all<Numbers>(kPart2), r - first));
 }
 
-// For r - rest, |r| <= pi / 4, within 0.9 ulp. The rest enters the cosine through the square, before rounding; it
-// enters the sine without its factor, the cosine: an error of at most 0.15 ulp. The polynomials do not wait for the
-// rest.
+// Sine and cosine of r - rest, |r| <= pi / 4, within 0.9 ulp. The rest enters the cosine through the square, before
+// rounding; it enters the sine without its factor, the cosine, which is an error of at most 0.15 ulp. The polynomials
+// do not wait for the rest.
 template <class Numbers>
 ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
   const Numbers z = r * r, square = fused(r, r, -((r + r) * rest));
@@ -160,7 +160,7 @@ ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& 
       all<Numbers>(Element<Numbers>(1.0)));
 }
 #else
-// a - t and its rounding error (Dekker 1971), when |a| >= |t| or the error is zero. Exact also when the compiler fuses
+// a - t and its rounding error (Dekker 1971), if |a| >= |t| or the error is zero. Exact also if the compiler fuses
 // t = k p, which is exact.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers difference(const Numbers& a, const Numbers& t, Numbers& excess) noexcept {
@@ -169,7 +169,7 @@ ROBCOGEN_INLINE Numbers difference(const Numbers& a, const Numbers& t, Numbers& 
   return result;
 }
 
-// x - k pi / 2 is r - rest, with r its nearest number, or near it. For |k| <= 2^16, for float 2^8.
+// Computes x - k pi / 2 as r - rest, where r is the nearest number to it, or near that. For |k| <= 2^16, for float 2^8.
 //
 // For double, pi / 2 has parts of 33 bits, whose multiples below 2^17 are exact (Cody, Waite 1980): when a difference
 // is smaller than its minuend, it has few enough bits to be exact. For float, it has parts of 16 bits and a last one of
@@ -191,8 +191,8 @@ ROBCOGEN_INLINE void reduce(const Numbers& x, const Numbers& k, Numbers& r, Numb
   }
 }
 
-// For r - rest, |r| <= pi / 4, for double within 0.8 ulp: the rounding error of 1 - z / 2 is added again. For float it
-// is not: the cosine is within 1.2 ulp.
+// Sine and cosine of r - rest, |r| <= pi / 4, for double within 0.8 ulp: the rounding error of 1 - z / 2 is added back.
+// For float it is not, and the cosine is within 1.2 ulp.
 template <class Numbers>
 ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& sine, Numbers& cosine) noexcept {
   constexpr Element<Numbers> kHalf = 0.5, kOne = 1.0;
@@ -205,11 +205,11 @@ ROBCOGEN_INLINE void of_reduced(const Numbers& r, const Numbers& rest, Numbers& 
 }
 #endif
 
-// Adding it rounds to an integer k: the last bits of the sum are the last bits of k.
+// Adding kRound rounds a number to an integer k: the last bits of the sum are the last bits of k.
 template <class Scalar>
 constexpr auto kRound = constant<Scalar>(0x1.8p23f + 0x1p8f, 0x1.8p52 + 0x1p16);
 
-// For |k| <= 2^16 the bits are below kBeyond; for other numbers and NaN they are not. For float |k| <= 2^8.
+// bits_of_integer is below kBeyond for |k| <= 2^16 (for float 2^8), and not below it for other numbers and NaN.
 template <class Scalar>
 constexpr BitsOfOne<Scalar> kBeyond = 1 << (std::is_same_v<Scalar, float> ? 9 : 17);
 template <class Numbers>
@@ -225,8 +225,8 @@ ROBCOGEN_INLINE Numbers quarter_turns(const Numbers& x) noexcept {
   return as_rounded(x * kTwoByPi + kRound<Element<Numbers>>);
 }
 
-// For x beyond the range of the polynomials, |x| of about 1e5, for float 400, `beyond` gets bits from kBeyond on.
-// The last bits are those of the integer.
+// Returns bits whose last ones are those of the integer. `beyond` gets bits from kBeyond on for x beyond the range of
+// the polynomials, which is |x| of about 1e5, for float 400.
 template <class Numbers>
 ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, Bits<Numbers>& beyond) noexcept {
   const Bits<Numbers> k = bits_of_integer(rounded);
@@ -234,14 +234,14 @@ ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, Bits<Numbers>& beyon
   return k;
 }
 
-// When no element is beyond the range.
+// For elements that are known to be in the range.
 struct NoneBeyond {};
 template <class Numbers>
 ROBCOGEN_INLINE Bits<Numbers> noted(const Numbers& rounded, NoneBeyond&) noexcept {
   return bits(rounded);
 }
 
-// b where the highest bit of `where` is set, else a.
+// b where the highest bit of `where` is set, otherwise a.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers chosen(const Bits<Numbers>& where, const Numbers& a, const Numbers& b) noexcept {
 #if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
@@ -256,7 +256,7 @@ ROBCOGEN_INLINE Numbers chosen(const Bits<Numbers>& where, const Numbers& a, con
   return numbers<Numbers>(bits(a) ^ ((bits(a) ^ bits(b)) & -(where >> kHighest)));
 }
 
-// The results have the sign of a zero.
+// The sine of a zero keeps its sign.
 template <class Numbers, class Beyond>
 ROBCOGEN_INLINE void polynomials(const Numbers& x, Numbers& sine, Numbers& cosine, Beyond& beyond) noexcept {
   const Numbers rounded = quarter_turns(x);
@@ -273,11 +273,12 @@ ROBCOGEN_INLINE void polynomials(const Numbers& x, Numbers& sine, Numbers& cosin
   cosine = numbers<Numbers>((bits(sin_r) ^ bits(cos_r) ^ odd) ^ sine_bits);
 }
 
-// The largest root of a sum of squares of angles for which the polynomials hold: for each angle, and for sums of three.
+// Bound of the root of the sum of squares of angles, up to which the polynomials hold for each angle and for sums of
+// three.
 template <class Scalar>
 constexpr auto kSmall = constant<Scalar>(120, 3e4);
 
-// Whether any has a bit from kBeyond<Scalar> on.
+// Whether any element has a bit from kBeyond<Scalar> on.
 template <class Scalar, class Integers>
 ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
 #if defined(__AVX__) && ROBCOGEN_HAS_VECTORS
@@ -286,7 +287,7 @@ ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
     return !__builtin_ia32_ptestz256((Signed)b, (Signed)(b ^ b ^ ~(kBeyond<Scalar> - 1)));
   }
 #endif
-  // In parts of 64 bits, which have two of 32.
+  // In parts of 64 bits, which hold two elements of 32.
   constexpr int kBits = 8 * static_cast<int>(sizeof(Scalar));
   using Part = std::conditional_t<sizeof(b) % sizeof(std::uint64_t) == 0, std::uint64_t, BitsOfOne<Scalar>>;
   Part parts[sizeof(b) / sizeof(Part)], any = 0;

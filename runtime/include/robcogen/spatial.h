@@ -1,6 +1,6 @@
 // 6D quantities and gravity as distinct types, so that a swapped argument does not compile.
 //
-// Angular part first, linear part second (Featherstone 2008), SI units. Plain scalars beneath: they can be stored
+// Angular part first, linear part second (Featherstone 2008), SI units. They hold plain scalars, so they can be stored
 // anywhere and passed by value, whatever alignment Eigen's vectors have.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace robcogen {
 
-// Common to the 6D types: access, and the arithmetic of a vector space.
+// Base of the 6D types: access, and the arithmetic of a vector space.
 template <class Derived, class Scalar>
 class SpatialVector {
  public:
@@ -30,7 +30,7 @@ class SpatialVector {
     this->linear() = linear;
   }
 
-  // Views of a variable, to read and write; copies of anything else.
+  // Views of the parts of a variable, to read and write; copies for anything else.
   Eigen::Map<Vector3> angular() & { return Eigen::Map<Vector3>(values_); }
   Eigen::Map<Vector3> linear() & { return Eigen::Map<Vector3>(values_ + 3); }
   Vector3 angular() const& { return Vector3(values_[0], values_[1], values_[2]); }

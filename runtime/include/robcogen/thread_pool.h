@@ -16,7 +16,7 @@ namespace robcogen::batch {
 // A few threads that wait for work. Construction allocates; calls do not, and any thread may call.
 class ThreadPool {
  public:
-  // So many threads at a time, the caller among them. Throws std::system_error where the system has no more of them.
+  // `count` threads work at a time, including the caller. Throws std::system_error if the system has too few threads.
   explicit ThreadPool(unsigned count = std::thread::hardware_concurrency()) {
     workers_.threads.reserve(count);
     for (unsigned i = 1; i < count; ++i) workers_.threads.emplace_back([this] { wait_for_work(); });
@@ -27,7 +27,7 @@ class ThreadPool {
   unsigned threads() const noexcept { return static_cast<unsigned>(workers_.threads.size()) + 1; }
 
   // Calls task(0), …, task(count - 1), each once, in any order, and returns when all have ended. The task must not
-  // throw. While another thread's task runs, or within a task, the calls are made by the caller alone.
+  // throw. While another thread's task runs, or within a task, the caller alone makes the calls.
   template <class Task>
   void operator()(std::ptrdiff_t count, const Task& task) noexcept {
     Work work(count, &task, [](const void* t, std::ptrdiff_t i) noexcept { (*static_cast<const Task*>(t))(i); });
@@ -55,7 +55,7 @@ class ThreadPool {
     Call call_;
   };
 
-  // Ends the threads, also where the constructor throws after some have started.
+  // Ends the threads, even if the constructor throws after some have started.
   struct Workers {
     explicit Workers(ThreadPool* owner) noexcept : pool(owner) {}
     ~Workers() {
@@ -83,7 +83,7 @@ class ThreadPool {
     return true;
   }
 
-  // Returns when no thread is at the work any more. One that starts late finds none.
+  // Returns when no thread works on the task any more. A thread that wakes up late finds no work.
   void withdraw() {
     std::unique_lock lock(mutex_);
     work_ = nullptr;
@@ -109,8 +109,8 @@ class ThreadPool {
   std::mutex mutex_;
   std::condition_variable start_, end_;
   Work* work_ = nullptr;
-  std::uint64_t round_ = 0;  // how many works there were
-  int working_ = 0;          // threads at the work, without the caller
+  std::uint64_t round_ = 0;  // number of tasks that were published
+  int working_ = 0;          // threads that work on the task, without the caller
   bool ends_ = false;
   Workers workers_{this};  // last: destroyed first
 };

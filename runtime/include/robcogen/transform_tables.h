@@ -11,7 +11,7 @@
 
 namespace robcogen::reflection {
 
-// A number on the way to an amount, and the largest magnitude that the way has met: the scale of rounding errors.
+// An intermediate result of an amount, and the largest magnitude so far: the scale of rounding errors.
 struct Amount {
   long double value = 0;
   long double size = 0;
@@ -30,7 +30,7 @@ struct Amount {
   friend Amount sqrt(const Amount& a) { return {std::sqrt(a.value), a.size}; }
 };
 
-// Coordinates of a frame turned about (rotation), or moved along, an axis to those of the original frame.
+// Maps coordinates of a frame that is turned about (rotation) or moved along an axis to those of the original frame.
 struct Factor {
   bool rotation;
   int axis;  // 0 x, 1 y, 2 z
@@ -45,7 +45,7 @@ struct ProductOfFactors {
   int left;  // frame indices
   int right;
   Table<Factor> factors;  // the first one leftmost
-  void (*amounts)(const Amount* parameters, const Amount* variables, Amount* amounts) noexcept;  // rad or m, of each
+  void (*amounts)(const Amount* parameters, const Amount* variables, Amount* amounts) noexcept;  // of each, rad or m
   Function<4> homogeneous;
   Function<6> motion;  // angular first
   Function<6> force;   // moment first
@@ -57,7 +57,7 @@ struct Transforms {
   int variable_count;
   int frame_count;
   Table<ProductOfFactors> transforms;
-  // With derivatives; their inputs are parameters and the variables that they depend on.
+  // Functions with derivatives; their inputs are parameters and the variables that they depend on.
   Table<Function> functions = {nullptr, 0};
   Table<Derivative> derivatives = {nullptr, 0};
 };

@@ -26,7 +26,7 @@ Eigen::Matrix<Scalar, 4, 4> homogeneous_in_world(
   return pose.homogeneous() * base_X_frame;
 }
 
-// A point (m), in base coordinates, in the world: of center_of_mass, for example.
+// The position in the world (m) of a point given in base coordinates (m), such as center_of_mass.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 1> position_in_world(
     const BasicBasePose<Scalar>& pose,
@@ -75,10 +75,11 @@ Eigen::Matrix<Scalar, 6, 1> acceleration_in_world(
   return result;
 }
 
-// 6 x (6 + n), base_X_frame and base_J_frame given: times the twist of the base and qd, the angular velocity of the
-// frame and the velocity of its origin in the world, in base axes. Columns have the order of the joint-space inertia
-// matrix; those of joints beyond the chain are zero. Its transpose maps a moment and a force at the origin of the
-// frame, in base axes, to the wrench on the base and joint forces.
+// The Jacobian of a frame with the columns of the base, 6 x (6 + n), from base_X_frame and base_J_frame. Multiplied by
+// the twist of the base and qd, it gives the angular velocity of the frame and the velocity of its origin in the world,
+// in base axes. Columns have the order of the joint-space inertia matrix; those of joints outside the chain are zero.
+// Its transpose maps a moment and a force at the origin of the frame, in base axes, to the wrench on the base and joint
+// forces.
 template <int kDof, class Scalar, int kColumns, class Columns>
 Eigen::Matrix<Scalar, 6, 6 + kDof> jacobian_with_base(
     const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
@@ -93,9 +94,10 @@ Eigen::Matrix<Scalar, 6, 6 + kDof> jacobian_with_base(
   return J;
 }
 
-// What is added to J (base_acceleration, qdd) in the angular acceleration of the frame (rad/s^2) and the acceleration
-// of its origin (m/s^2) in the world, in base axes. J is jacobian_with_base, base_Jd_qd_frame the product of that name;
-// the acceleration of the base is spatial, as forward dynamics returns it, and gravity is not included.
+// The bias acceleration of a frame in base axes. Added to J (base_acceleration, qdd), it gives the angular acceleration
+// of the frame (rad/s^2) and the acceleration of its origin (m/s^2) in the world. J is jacobian_with_base,
+// base_Jd_qd_frame the generated product of that name; the acceleration of the base is spatial, as forward dynamics
+// returns it, and gravity is not included.
 template <class Scalar, int kColumns, class Velocities>
 Eigen::Matrix<Scalar, 6, 1> bias_acceleration_with_base(
     const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
@@ -115,9 +117,9 @@ Eigen::Matrix<Scalar, 6, 1> bias_acceleration_with_base(
   return bias;
 }
 
-// The angular and the linear rows in other axes: of the world with R = pose.rotation(), of a frame with the transpose
-// of the rotation in base_X_frame. Of Jacobians and biases of frames, and of the centroidal momentum matrix and its
-// bias: what is added to the matrix times the accelerations stays so, as biases are rates in an inertial frame.
+// The angular and the linear rows of a matrix in other axes: in world axes with R = pose.rotation(), in axes of a frame
+// with the transpose of the rotation in base_X_frame. For Jacobians and biases of frames, and for the centroidal
+// momentum matrix and its bias. A rotated bias needs no further term, because biases are rates in an inertial frame.
 template <class Scalar, int kColumns>
 Eigen::Matrix<Scalar, 6, kColumns> rows_in_axes(
     const Eigen::Matrix<Scalar, 3, 3>& R,

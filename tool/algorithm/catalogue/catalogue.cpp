@@ -16,11 +16,11 @@ using model::KinematicTree;
 enum Needs : unsigned {
   kNothing = 0,
   kInertia = 1 << 0,
-  kMass = 1 << 1,            // they divide by the total mass
-  kRegularInertia = 1 << 2,  // they divide by the joint-space inertia matrix
+  kMass = 1 << 1,            // functions divide by the total mass
+  kRegularInertia = 1 << 2,  // functions divide by the joint-space inertia matrix
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
-  kFewElements = 1 << 5,     // a matrix has ten columns a link
+  kFewElements = 1 << 5,     // a matrix has ten columns per link
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -29,12 +29,12 @@ struct Group {
   const char* name;
   bool is_default;
   unsigned needs;  // of Needs
-  // One of these.
+  // One of these is set.
   std::vector<RobotFunction> (*dynamics)(const KinematicTree&, FormulationChoices&);
   std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
   std::vector<RobotFunction> (*contacts)(const KinematicTree&, const ContactFrames&, FormulationChoices&) = nullptr;
-  // Of the bodies, rotors and parameters of the model as they are. (Coriolis matrices of the same robot differ with how
-  // its mass is told.)
+  // The functions use the bodies, rotors and parameters of the model as they are. (The Coriolis matrix of a robot
+  // depends on how its mass is assigned to links.)
   bool is_of_model = false;
 
   bool has_formulation() const { return kinematics == nullptr; }
@@ -90,19 +90,20 @@ const Group* group_of(const std::string& name) {
   return found == kGroups.end() ? nullptr : &*found;
 }
 
-// The program without a loop, which `eval` runs, would take too long to make.
+// The program without a loop, which `eval` runs, would take too long to build.
 bool has_many_operations(const KinematicTree& tree) {
   constexpr long kMany = 600'000;
   return operations_of_solutions(tree) > kMany;
 }
 
-// Second derivatives take some hundred operations for each such pair.
+// Second derivatives take about a hundred operations for each such pair.
 bool has_many_pairs(const KinematicTree& tree) {
   constexpr long kMany = 150;
   return pairs_of_coordinates(tree) > kMany;
 }
 
-// Generated functions return their results, and more would be no object for the stack: 128 KB, Eigen's limit as well.
+// Generated functions return their results by value, and larger ones would not fit the stack: 128 KB, which is also
+// Eigen's limit.
 bool has_many_elements(const KinematicTree& tree) {
   constexpr int kMany = 16'000;
   const int base = tree.floating_base ? 6 : 0, links = tree.link_count() - (base > 0 ? 0 : 1);
@@ -113,7 +114,7 @@ struct Requirement {
   Needs need;
   bool (*is_met)(const KinematicTree&);
   const char* reason;
-  bool is_of_masses = false;  // diagnostics of the mass properties say the reason, too
+  bool is_of_masses = false;  // diagnostics of the mass properties give the reason, too
 };
 
 constexpr std::array kRequirements = {
@@ -141,7 +142,7 @@ bool lacks(const KinematicTree& tree, const Group& group, const Requirement& req
   return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);
 }
 
-// Of derivatives by positions that are quaternions.
+// Adds a remark to derivatives by positions, some of which are quaternions.
 void add_turns_remark(std::vector<RobotFunction>& list) {
   for (RobotFunction& f : list) {
     const auto& outputs = f.program.outputs;

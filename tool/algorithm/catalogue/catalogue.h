@@ -23,21 +23,21 @@ struct RobotFunction {
   std::vector<int> columns;          // jacobians: the coordinate of each column
   model::FramePair frames;           // of functions between two frames
   symbolic::Program program;         // program.name is unique among the robot's functions
-  std::string method = {};           // how it is computed, where there was a choice
-  std::optional<symbolic::RoundingError> error = {};        // once it was measured
+  std::string method = {};           // how it is computed, if there was a choice
+  std::optional<symbolic::RoundingError> error = {};        // set once it is measured
   std::vector<symbolic::DerivativeBlock> derivatives = {};  // among its outputs, to be checked by differences
   std::vector<std::string> labels = {};                     // regressors: what each column multiplies
-  // The same with a loop, where the program is too long for caches.
+  // The same with a loop, if the program is too long for caches.
   std::optional<symbolic::SolvedColumns> solved = {};
 };
 
 // In canonical order.
 const std::vector<std::string>& groups();
 
-// Those whose functions are between two frames each: the pairs of the desired transforms.
+// The groups whose functions are each between two frames, one of the pairs of the desired transforms.
 const std::vector<std::string>& groups_between_frames();
 
-// Those whose functions are of contacts: the robot has them where contact frames are desired.
+// The groups of contact functions: the robot has them if contact frames are desired.
 const std::vector<std::string>& groups_of_contacts();
 
 // The default groups of a robot: those that most programs need and that compile quickly.
@@ -47,12 +47,12 @@ const std::vector<std::string>& default_groups();
 // inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
 bool is_available(const model::KinematicTree& tree, const std::string& group);
 
-// Why a group is not available; empty where it is, and, if asked so, where the mass properties do not allow it, which
-// diagnostics of the model say.
+// Why a group is not available; empty if it is. With `other_than_masses` it is also empty if the mass properties do not
+// allow the group, which diagnostics of the model say.
 enum class Reasons { all, other_than_masses };
 std::string reason_of_absence(const model::KinematicTree& tree, const std::string& group, Reasons reasons);
 
-// The functions of one group; none where it is not available. Gravity, where it enters, is folded to (0, 0, -9.81) in a
+// The functions of one group; none if it is not available. Gravity, if it enters, is folded to (0, 0, -9.81) in a
 // fixed-base robot's first overload and an input in the others; external wrenches are inputs of the last.
 std::vector<RobotFunction> functions(
     const model::KinematicTree& tree,
@@ -72,12 +72,13 @@ std::vector<symbolic::Program> plain_programs(
     const model::DesiredTransforms& desired,
     const std::string& group);
 
-// Whether a program with congruent limbs that fold in the same way is another one than without.
+// Whether constants of a program fold like a representative, so that it may differ from the program of the same
+// function without representatives.
 bool folds_like_others(const symbolic::Program& program);
 
 // The programs of these functions with congruent limbs that fold in the same way, for lanes, by
-// FormulationChoices::for_congruent_limbs; nullopt where these are the same; empty for groups that do not depend on
-// a formulation.
+// FormulationChoices::for_congruent_limbs; nullopt for a program that is the same; empty for groups that do not depend
+// on a formulation.
 std::vector<std::optional<symbolic::Program>> congruent_programs(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,

@@ -17,7 +17,7 @@ std::string names_of(const ContactFrames& contacts) {
   return names;
 }
 
-// The formulation of those that are there in which a program is cheapest.
+// The existing formulation in which a program is cheapest.
 Formulation cheapest_for(
     FormulationChoices& choices,
     const std::function<symbolic::Program(const Formulation&)>& trace) {
@@ -35,7 +35,7 @@ const char* const kSwitches =
     "for "
     "rigid contacts, whose rows must be independent; a small number lets redundant ones share the load.";
 
-// What the functions of one list have in common.
+// The common data of the functions of one list.
 struct Contacts {
   const KinematicTree& tree;
   const ContactFrames& contacts;
@@ -62,7 +62,7 @@ struct Contacts {
     add_method(list, name, description(tree, formulation.frames));
   }
 
-  // With overloads; cheapest in the formulation of the first.
+  // Adds a function with overloads, all in the formulation that is cheapest for the first one.
   template <class Trace>
   void add_with_loads(
       std::vector<RobotFunction>& list,

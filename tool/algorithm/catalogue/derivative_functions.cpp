@@ -11,7 +11,7 @@ using model::KinematicTree;
 
 namespace {
 
-// The end of a summary: what the rows are, and the columns of the base.
+// Adds the end of a summary: the meaning of the rows, and of the columns of the base.
 void add_base(std::vector<std::string>& summary, const std::string& rows, const std::string& columns) {
   summary.push_back(
       "(6 + n) rows: those of " + rows + " first. All that concerns the base is in base coordinates, angular first.");
@@ -21,7 +21,7 @@ void add_base(std::vector<std::string>& summary, const std::string& rows, const 
       "changes in base coordinates.");
 }
 
-// What the inputs of a program say of its loads.
+// The loads of a program, from its inputs.
 Loads loads_of(const symbolic::Program& program) {
   const auto has = [&](symbolic::Role role) {
     return std::any_of(

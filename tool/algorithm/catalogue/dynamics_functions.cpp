@@ -30,7 +30,7 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
     add_loop_forces(list, tree, choices);
     return list;
   }
-  // It divides by the inertia of the robot as one body.
+  // The function divides by the inertia of the robot as one body.
   const bool has_free_base = !tree.inertia_defects.locked_base;
   if (has_free_base)
     add_overloads(
@@ -227,7 +227,7 @@ std::vector<RobotFunction> centroidal_functions(const KinematicTree& tree, Formu
                "s) (Orin, Goswami, Lee 2013).",
            columns},
           centroidal_momentum_matrix(tree, "centroidal_momentum_matrix", representative))};
-  // A constant of robots without parameters.
+  // For robots without parameters the mass is a constant.
   if (!tree.parameters.empty())
     list.push_back(function("total_mass", {"Mass of " + moves + " (kg)."}, total_mass(tree, "total_mass")));
   return list;

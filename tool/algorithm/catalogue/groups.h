@@ -8,7 +8,7 @@
 
 namespace robcogen::algorithm {
 
-// ---- Dynamics: of all limbs together.
+// ---- Dynamics: functions of the whole robot.
 
 std::vector<RobotFunction> inverse_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
 std::vector<RobotFunction> bias_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
@@ -41,9 +41,9 @@ std::vector<RobotFunction> slotine_li_regressor_functions(
     const model::KinematicTree& tree,
     FormulationChoices& choices);
 
-// ---- Loops and actuators: added to groups where the robot has some.
+// ---- Loops and actuators, if the robot has some.
 
-// To `transforms`, `jacobians`, `inverse_dynamics` and `forward_dynamics`.
+// Added to `transforms`, `jacobians`, `inverse_dynamics` and `forward_dynamics`.
 void add_joint_positions(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_actuator_lengths(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
 void add_lever_arms(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
@@ -55,7 +55,7 @@ void add_loop_constrained_dynamics(
     const model::KinematicTree& tree,
     FormulationChoices& choices);
 
-// ---- Contacts: of all contact frames that are desired, at least one.
+// ---- Contacts: functions of all desired contact frames, at least one.
 
 std::vector<RobotFunction> contacts_functions(
     const model::KinematicTree& tree,
@@ -66,7 +66,7 @@ std::vector<RobotFunction> operational_space_functions(
     const ContactFrames& contacts,
     FormulationChoices& choices);
 
-// ---- Kinematics: of each pair of frames that is desired.
+// ---- Kinematics: functions of each desired pair of frames.
 
 std::vector<RobotFunction> transforms_functions(
     const model::KinematicTree& tree,
@@ -90,7 +90,7 @@ std::vector<RobotFunction> accelerations_functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired);
 
-// ---- In the world: of each frame that is desired, and of the whole robot.
+// ---- In the world: functions of each desired frame, and of the whole robot.
 
 std::vector<RobotFunction> world_functions(const model::KinematicTree& tree, const model::DesiredTransforms& desired);
 std::vector<RobotFunction> world_centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);

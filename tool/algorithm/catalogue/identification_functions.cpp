@@ -1,4 +1,4 @@
-// What identification and adaptive control take: regressors, and the parameters that they multiply.
+// Functions for identification and adaptive control: regressors, and the parameters that they multiply.
 #include "algorithm/catalogue/groups.h"
 #include "algorithm/catalogue/overloads.h"
 #include "algorithm/identification/base_regressor.h"
@@ -36,7 +36,7 @@ RobotFunction function(
   return f;
 }
 
-// What all overloads of a name call their columns.
+// Adds the labels of columns to all overloads of a function.
 void add_labels(std::vector<RobotFunction>& list, const std::string& name, const std::vector<std::string>& labels) {
   for (RobotFunction& f : list)
     if (f.name == name) f.labels = labels;

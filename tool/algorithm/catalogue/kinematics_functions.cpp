@@ -12,8 +12,8 @@ using model::KinematicTree;
 
 namespace {
 
-// One function for each desired Jacobian: `fr_base_<letter>_fr_foot`. Programs are called by `prefix` too, where the
-// name is one of several scopes.
+// One function for each desired Jacobian: `fr_base_<letter>_fr_foot`. Names of programs begin with `prefix`, because
+// several scopes may have functions of the same name.
 using BuildBetween = std::function<symbolic::Program(const model::FramePair& frames, const std::string& name)>;
 
 void add_for_jacobians(
@@ -41,7 +41,8 @@ void add_for_jacobians(
   }
 }
 
-// Positions of robots with spherical joints are not added. Those with followers would have to be closed.
+// Positions of robots with spherical joints cannot simply be added. If q has followers, their loops would have to be
+// closed as well.
 void add_functions_of_quaternions(std::vector<RobotFunction>& list, const KinematicTree& tree) {
   if (tree.spherical_joints().empty() || !tree.followers_in_q().empty()) return;
   list.push_back(
@@ -137,7 +138,7 @@ std::vector<RobotFunction> jacobian_references_functions(
   return list;
 }
 
-// Of pairs whose left frame is one of the base: others see the base move.
+// For pairs whose left frame is on the base: from others, the base is seen to move.
 std::vector<RobotFunction> jacobians_with_base_functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired) {

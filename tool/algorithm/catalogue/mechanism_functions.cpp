@@ -55,7 +55,7 @@ std::string parts_of_forces(const KinematicTree& tree) {
   return text;
 }
 
-// Of the joints that follow others through no loop.
+// The names of the joints that follow others, but not through a loop.
 std::string names_of_declared_couplings(const KinematicTree& tree) {
   std::vector<std::string> names;
   for (const model::Coupling& coupling : tree.couplings)

@@ -62,7 +62,7 @@ symbolic::Program model_numbers(const model::KinematicTree& tree) {
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint " + joint.name);
-    // Components of a spherical joint have that of the first.
+    // Components of a spherical joint have the placement of the first one.
     add_placement({trace, joints}, tree.joints[at(tree.first_component_of(j))].placement);
     if (has_drives) add_drive({trace, joints}, joint);
     if (has_pitches) Column{trace, joints}.add(joint.pitch);
@@ -88,7 +88,7 @@ symbolic::Program coupling_numbers(const model::KinematicTree& tree) {
     const std::string& name = tree.joints[at(coupling.joint)].name;
     trace.section(name, "joint " + name);
     std::vector<Expression> column(at(rows));
-    // No number where the joint follows through a loop: not by sums.
+    // NaN for a joint that follows others through a loop, and not by a sum.
     const Expression none = coupling.is_linear() ? Expression() : sqrt(trace.graph.constant(-1.0));
     if (!coupling.is_linear()) {
       for (const model::Coupling::Term& term : coupling.terms) column[at(tree.coordinate_of(term.joint))] = none;

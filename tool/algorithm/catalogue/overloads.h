@@ -9,12 +9,13 @@
 
 namespace robcogen::algorithm {
 
-// Says how functions are computed.
+// Sets how the functions with this name are computed.
 void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method);
 
 using Build = std::function<symbolic::Program(const std::string& kernel, Loads loads)>;
 
-// The overloads of one function. With a floating base gravity is always an argument: it says how the base is oriented.
+// The overloads of one function. With a floating base gravity is always an argument, because it tells the orientation
+// of the base.
 void add_overloads(
     std::vector<RobotFunction>& list,
     const model::KinematicTree& tree,

@@ -48,7 +48,7 @@ std::string text(const CoordinateTransforms& document, const PrimitiveTransform&
          model::print(primitive.amount, document.parameters, document.variables) + ")";
 }
 
-// The first variable or parameter of an amount: what the values behind it are called after.
+// The first variable or parameter of an amount, after which the values behind it are named.
 std::string subject_of(const CoordinateTransforms& document, const Quantity& amount) {
   std::string subject;
   for_each_name(amount, [&](const Quantity& q) {
@@ -102,8 +102,8 @@ Arguments all_arguments(const CoordinateTransforms& document) {
 
 namespace {
 
-// Declares what the transform depends on: parameters, variables. Returns a value for each variable of the document;
-// those that it does not depend on have none.
+// Declares the inputs that the transform depends on: parameters, variables. Returns a value for each variable of the
+// document; those that it does not depend on have none.
 std::vector<Expression> declare(ProgramTrace& trace, const CoordinateTransforms& document, const Arguments& arguments) {
   if (arguments.parameters) trace.parameter_input(document.parameters);
   std::vector<Expression> variables(document.variables.size());

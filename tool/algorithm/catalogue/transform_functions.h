@@ -18,7 +18,7 @@ struct Arguments {
   bool parameters = false;     // all of the document's, or none
 };
 Arguments arguments_of(const model::CoordinateTransforms& document, const model::CoordinateTransform& transform);
-// All of the document's.
+// All arguments of the document.
 Arguments all_arguments(const model::CoordinateTransforms& document);
 
 // parameters, variables -> X. An array that would be empty is left out.

@@ -18,7 +18,7 @@ const char* const kJointColumns = "Columns: joints in the order of the model.";
 const char* const kRates = "angular velocity (rad/s), then velocity of its origin (m/s)";
 const char* const kAccelerations = "angular acceleration (rad/s^2), then acceleration of its origin (m/s^2)";
 
-// Each frame of these pairs once, but for the frame of the base itself, whose pose is an argument.
+// Each frame of these pairs once, except the frame of the base itself, whose pose is an argument.
 std::vector<Frame> frames_of(
     const KinematicTree& tree,
     const std::vector<const std::vector<model::FramePair>*>& lists) {
@@ -31,7 +31,7 @@ std::vector<Frame> frames_of(
   return frames;
 }
 
-// Where frames are; those that move.
+// The frames whose positions are computed, and those that move.
 struct WorldFrames {
   WorldFrames(const KinematicTree& tree, const model::DesiredTransforms& desired) {
     std::vector<model::FramePair> contacts;

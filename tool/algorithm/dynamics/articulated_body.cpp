@@ -1,5 +1,5 @@
-// Articulated-body algorithm in two parts: the wrenches at zero joint and base acceleration by Newton-Euler, then a
-// homogeneous pass for what the accelerations add. No velocity term remains in the second part.
+// The articulated-body algorithm in two parts: the wrenches at zero joint and base acceleration by Newton-Euler, then a
+// homogeneous pass for the contribution of the accelerations. No velocity term remains in the second part.
 #include "algorithm/dynamics/articulated_body.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
@@ -9,7 +9,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-// What the passes know of a joint.
+// What the passes store for a joint.
 struct JointState {
   Force U;               // articulated inertia times the joint's motion subspace S
   Expression inverse_D;  // 1 / (S' U + inertia of the drive)
@@ -17,8 +17,8 @@ struct JointState {
   Vector3 rotor;         // momentum of the rotor at unit rate, in axes of the parent, which carries it
 };
 
-// As to_child, but with a cross product of the opposite sign: which of two equal sums is made first decides how later
-// sums can be reordered, and here this one saves an instruction on robots with many joints.
+// The same as to_child, but with a cross product of the opposite sign. Which of two equal sums is created first decides
+// how later sums can be reordered, and here this one saves an instruction on robots with many joints.
 Motion acceleration_to_child(const Pose& X_PC, const Motion& a_P) {
   const Vector3 linear = a_P.linear - cross(X_PC.offset, a_P.angular);
   return to_child(Pose{{}, X_PC.rotation, X_PC.slide}, Motion{a_P.angular, linear});
@@ -35,7 +35,7 @@ class ArticulatedBodies {
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
       : robot_(robot), in_(in), load_(load), joints_(in.tau.size()), zeros_(in.tau.size()) {}
 
-  // Down with velocities, up with inertias and bias wrenches, of one link and all beyond it.
+  // Passes velocities down from a link to all beyond it, and collects their inertias and bias wrenches on the way up.
   void collect(int link, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
     const std::string& name = robot_.link_name(link);
     SpatialInertia children_inertia;
@@ -54,15 +54,16 @@ class ArticulatedBodies {
     algorithm::name(graph(), bias.linear, name + "_f");
   }
 
-  // Down with accelerations.
+  // Passes accelerations down from a link to all beyond it.
   void accelerate(int link, const Motion& parent) {
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link ", ": acceleration");
       Motion a = acceleration_to_child(robot_.pose(joint.index), parent);
       const JointState& state = joints_[at(joint.index)];
-      // Without the component of `a` along the axis in the product, the link's own component comes out, joint
-      // acceleration included; not where the drive has inertia, which that acceleration alone moves.
+      // If the component of `a` along the axis is left out of the product, the result is the link's own component,
+      // joint acceleration included. This does not hold if the drive has inertia, which only the joint acceleration
+      // moves.
       if (graph().keeps_names()) {
         describe(a.angular, name + "_dw", "_carried");
         describe(a.linear, name + "_da", "_carried");
@@ -95,7 +96,7 @@ class ArticulatedBodies {
   Graph& graph() { return robot_.trace.graph; }
   bool has_drive_inertia(const Joint& joint) const { return robot_.tree().joints[at(joint.index)].drive.has_inertia(); }
 
-  // Zero on a fixed base, which does not turn.
+  // The momentum of the joint's rotor if its path ends at the parent; zero on a fixed base, which does not turn.
   Vector3 coupling_of_rotor(const Joint& joint) const {
     const int parent = robot_.tree().joints[at(joint.index)].parent;
     if (robot_.is_base(parent) && !robot_.floating()) return {};
@@ -104,7 +105,7 @@ class ArticulatedBodies {
 
   static bool are_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
-  // What the parent has of the joint, where it carries a rotor: that is felt in its axes.
+  // Adds what a joint passes on to a parent that carries its rotor: the rotor acts in the axes of the parent.
   void pass_with_rotor(
       const Joint& joint,
       const SpatialInertia& x,
@@ -163,7 +164,7 @@ class ArticulatedBodies {
     describe_inertia(x, name, "_free");
     p += state.u * gain;
     describe(p, name, "_free");
-    // A joint without inertia of its own passes exactly tau along its axis.
+    // A joint whose drive has no inertia passes on exactly tau along its axis.
     if (!has_drive_inertia(joint)) set_projection(joint, in_.tau[at(joint.index)], p);
     const SpatialInertia seen = to_parent(X_PC, x);
     describe_inertia(seen, name, "_P");

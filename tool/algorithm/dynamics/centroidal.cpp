@@ -12,7 +12,7 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// The whole robot as its momentum is told: composites by link, all that moves, and where its centre of mass is.
+// The whole robot, for its momentum: the composite bodies by link, all that moves as one body, and its centre of mass.
 struct WholeBody {
   explicit WholeBody(const TracedRobot& r)
       : robot(r), composite(composite_bodies(r)), total(moving_body(r, composite)) {
@@ -48,7 +48,7 @@ Force unit_momentum(const WholeBody& body, int joint) {
   return momentum;
 }
 
-// The same when one coordinate moves: these joints.
+// The same when one coordinate moves, with the joints that it moves.
 Force unit_momentum(const WholeBody& body, const std::vector<Share>& moved) {
   return sum_of(moved, [&](int joint) { return unit_momentum(body, joint); });
 }
@@ -57,7 +57,7 @@ void append(std::vector<Expression>& columns, const Vector3& v) {
   columns.insert(columns.end(), v.element.begin(), v.element.end());
 }
 
-// What the velocity of the centre of mass is multiplied by: base twist first.
+// The columns of the Jacobian of the centre of mass, base twist first.
 std::vector<Vector3> velocity_columns(const WholeBody& body) {
   Trace& trace = body.robot.trace;
   std::vector<Vector3> columns;
@@ -76,8 +76,8 @@ std::vector<Force> momentum_columns(const WholeBody& body) {
   const Vector3& first_moment = body.total.first_moment;
   std::vector<Force> columns;
   if (body.robot.floating()) {
-    // About the centre of mass, turning has no part in what sliding causes; with the inertia tensor I about the base
-    // origin, that about the centre of mass is I + [h]x [com]x.
+    // About the centre of mass, translation has no angular momentum. With the inertia tensor I about the base origin,
+    // the tensor about the centre of mass is I + [h]x [com]x.
     const Matrix3 inertia = inertia_tensor(body.total);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3 e = unit_vector(trace.graph, k), velocity = cross(e, body.com);
@@ -93,8 +93,8 @@ std::vector<Force> momentum_columns(const WholeBody& body) {
   return columns;
 }
 
-// The rate of momentum of a link and all beyond it that its motion takes, about its origin; of a fixed base only that
-// of the links beyond.
+// The rate of momentum of a link and all beyond it, about the link's origin; for a fixed base only that of the links
+// beyond.
 Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const StateInputs& in, int link) {
   Force total;
   for (const Joint& joint : robot.children(link))
@@ -108,14 +108,14 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
   return total;
 }
 
-// The inputs of a function, with the pose of the base where its results are in axes of the world.
+// The inputs of a function, with the pose of the base if its results are in axes of the world.
 std::vector<State> with_pose(CentroidalAxes axes, std::vector<State> list, const std::vector<State>& more = {}) {
   if (axes == CentroidalAxes::of_world) list.push_back(State::base_pose);
   list.insert(list.end(), more.begin(), more.end());
   return list;
 }
 
-// From axes of the base.
+// Rotates a vector from axes of the base to those of the results.
 Vector3 turned(CentroidalAxes axes, const StateInputs& in, const Vector3& v) {
   return axes == CentroidalAxes::of_world ? multiply(in.base_rotation, v) : v;
 }

@@ -22,7 +22,7 @@ void name_composite(Trace& trace, const std::string& link, const MassProperties&
     for (std::size_t j = i; j < 3; ++j) trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
 }
 
-// About the origin and in the axes of the link's parent.
+// Describes mass properties about the origin and in the axes of the link's parent.
 void describe_seen(const TracedRobot& robot, int link, const MassProperties& m) {
   if (!robot.trace.graph.keeps_names()) return;
   describe(m.first_moment, robot.link_name(link) + "_h", "_P");
@@ -101,7 +101,7 @@ std::vector<int> joints_of(const model::KinematicTree& tree) {
   return all;
 }
 
-// Of a floating base's rows, then of those of these joints.
+// Names of the rows of a floating base, then of the rows of these joints.
 std::vector<std::string> names_of_rows(const model::KinematicTree& tree, const std::vector<int>& joints) {
   std::vector<std::string> names;
   if (tree.floating_base) names = {"wx", "wy", "wz", "vx", "vy", "vz"};
@@ -109,7 +109,7 @@ std::vector<std::string> names_of_rows(const model::KinematicTree& tree, const s
   return names;
 }
 
-// From joints to coordinates.
+// Reduces the matrix from joints to coordinates.
 SquareMatrix reduced(const TracedRobot& robot, const SquareMatrix& by_joint) {
   if (robot.tree().couplings.empty()) return by_joint;
   robot.trace.section("coupled", "inertia of coupled joints");

@@ -10,22 +10,22 @@
 
 namespace robcogen::algorithm {
 
-// What does not move, or moves as it is told.
+// Rows of constraints, along which the robot does not move or moves in a prescribed way.
 struct ConstraintRows {
-  std::string kind;                        // of sections: `contacts`
+  std::string kind;                        // names sections: `contacts`
   std::vector<std::string> names;          // by row: `fr_LF_foot_vx`
   std::vector<std::vector<Expression>> J;  // by row: an element for each coordinate of H
 
   int size() const { return static_cast<int>(J.size()); }
 };
 
-// J v, of velocities or accelerations by coordinate of H.
+// J v, for velocities or accelerations by coordinate of H.
 std::vector<Expression> times(const ConstraintRows& rows, const std::vector<Expression>& v);
 // J^T f.
 std::vector<Expression> transposed_times(const ConstraintRows& rows, const std::vector<Expression>& f);
 
-// With H = L^T D L and Y = L^-T J^T, W = J H^-1 J^T = Y^T D^-1 Y: only the first half of a solution is made for each
-// row of J, along the ancestors of its coordinates. (Featherstone 2008, sec. 6.5 and 8.4.)
+// With H = L^T D L and Y = L^-T J^T, W = J H^-1 J^T = Y^T D^-1 Y: only the first half of a solution is computed for
+// each row of J, along the ancestors of its coordinates. (Featherstone 2008, sec. 6.5 and 8.4.)
 class ConstraintSystem {
  public:
   ConstraintSystem(const TracedRobot& robot, const ConstraintRows& rows);
@@ -33,7 +33,7 @@ class ConstraintSystem {
   // W; a pair of rows that share no coordinate has a literal zero.
   const SquareMatrix& inverse_inertia() const { return W_; }
 
-  // Forces by row of H, as the following functions take them.
+  // Converts forces by row of H to the form that the following functions take.
   std::vector<Expression> halved(const std::vector<Expression>& forces) const;
   // By row of J: J H^-1 forces.
   std::vector<Expression> at_rows(const std::vector<Expression>& halved) const;

@@ -15,7 +15,7 @@ std::vector<std::string> elements(const ContactFrames& contacts, const char* ang
   return names;
 }
 
-// The elements that are rows of this contact.
+// The elements of a motion that are rows of this contact.
 std::vector<Expression> elements_of(const model::ContactFrame& contact, const Motion& motion) {
   std::vector<Expression> values;
   if (contact.is_surface) values.assign(motion.angular.element.begin(), motion.angular.element.end());
@@ -23,7 +23,8 @@ std::vector<Expression> elements_of(const model::ContactFrame& contact, const Mo
   return values;
 }
 
-// Of a point without angular parts, which nothing reads.
+// The motion of the contact frame by coordinate. For a point the angular parts are left out, because nothing reads
+// them.
 std::vector<Motion> columns_of(
     Trace& trace,
     const std::vector<Expression>& q,

@@ -1,4 +1,4 @@
-// Contacts as rows of constraints: how the coordinates move the frames that touch what does not move.
+// Contacts as rows of constraints: how the coordinates move the contact frames.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace robcogen::algorithm {
 
 using ContactFrames = std::vector<model::ContactFrame>;
 
-// The rows of all contacts, in the order of the list: of a surface angular velocity and velocity of the frame's origin,
-// of a point the latter alone; in base axes.
+// The rows of all contacts, in the order of the list and in base axes: for a surface the angular velocity and the
+// velocity of the frame's origin, for a point the latter alone.
 struct ContactRows : ConstraintRows {
   ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts);
 
@@ -24,8 +24,8 @@ struct ContactRows : ConstraintRows {
 std::vector<std::string> motion_elements(const ContactFrames& contacts);
 std::vector<std::string> force_elements(const ContactFrames& contacts);
 
-// By row: what is added to J times the accelerations in the acceleration of the contact frames. `motions` carry
-// gravity.
+// By row: the term that is added to J times the accelerations to give the acceleration of the contact frames. `motions`
+// include gravity.
 std::vector<Expression> contact_bias(
     const TracedRobot& robot,
     const std::vector<LinkMotion>& motions,

@@ -48,7 +48,7 @@ SquareMatrix ActiveContacts::inverse() const {
   }
   const std::vector<std::vector<Expression>> columns = solve(matrix_, std::move(right), rows_.names);
   SquareMatrix result(n);
-  // Symmetric but for rounding: one half stands for both.
+  // The matrix is symmetric up to rounding: one triangle is used for both.
   for (int r = 0; r < n; ++r)
     for (int c = 0; c <= r; ++c) result(r, c) = result(c, r) = columns[at(c)][at(r)];
   return result;

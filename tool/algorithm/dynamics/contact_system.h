@@ -8,23 +8,23 @@
 
 namespace robcogen::algorithm {
 
-// What switches contacts and makes them soft.
+// The inputs that switch contacts and make them compliant.
 struct ContactSwitches {
-  // Declares the inputs `active`, an element a contact, and `compliance`, an element a row.
+  // Declares the inputs `active`, an element per contact, and `compliance`, an element per row.
   ContactSwitches(Trace& trace, const ContactFrames& contacts);
 
   std::vector<Expression> active, compliance;
 };
 
-// A linear system for the wrenches at active contacts, (W + compliance) f = b. Where `active` is 0, the contact has no
-// part in the others, and its own block gets the identity added: regular whatever W is.
+// A linear system for the wrenches at active contacts, (W + compliance) f = b. Where `active` is 0, the contact is
+// decoupled from the others, and the identity is added to its own block, which is then regular whatever W is.
 class ActiveContacts {
  public:
   ActiveContacts(Trace& trace, const ContactRows& rows, const SquareMatrix& W, const ContactSwitches& switches);
 
-  // Exactly zero where a contact is not active.
+  // The wrenches; exactly zero for contacts that are not active.
   std::vector<Expression> wrenches(std::vector<Expression> b) const;
-  // Rows and columns of contacts that are not active are zero.
+  // The inverse of the matrix; rows and columns of contacts that are not active are zero.
   SquareMatrix inverse() const;
 
  private:

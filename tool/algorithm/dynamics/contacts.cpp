@@ -13,7 +13,7 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// The rows of a motion: base, then coordinates.
+// A motion by row of H: base, then coordinates.
 std::vector<Expression> stacked(Trace& trace, const Motion& base, const std::vector<Expression>& by_coordinate) {
   std::vector<Expression> v;
   if (trace.tree.floating_base)
@@ -22,7 +22,7 @@ std::vector<Expression> stacked(Trace& trace, const Motion& base, const std::vec
   return v;
 }
 
-// Of an array over joints.
+// The elements of an array over joints that belong to coordinates.
 std::vector<Expression> of_coordinates(const model::KinematicTree& tree, const std::vector<Expression>& by_joint) {
   std::vector<Expression> result;
   for (const int joint : tree.coordinates()) result.push_back(by_joint[at(joint)]);
@@ -33,7 +33,7 @@ std::vector<Expression> velocities(Trace& trace, const StateInputs& in) {
   return stacked(trace, in.base_velocity, of_coordinates(trace.tree, in.qd));
 }
 
-// The elements of the base, then of the coordinates, as two outputs.
+// Outputs a motion by row of H as two arrays, one of the coordinates and one of a floating base.
 void output_motion(
     Trace& trace,
     const std::vector<Expression>& v,
@@ -44,7 +44,7 @@ void output_motion(
   if (first > 0) trace.output(base.first, base.second, Motion{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
 }
 
-// By row.
+// Outputs a matrix that is given by rows.
 void output_matrix(Trace& trace, const std::string& name, const std::vector<std::vector<Expression>>& rows) {
   std::vector<Expression> columns;
   const std::size_t count = rows.empty() ? 0 : rows.front().size();
@@ -238,7 +238,7 @@ Program operational_space(
   const SquareMatrix inertia = active.inverse();
   const std::size_t size = rows.J.front().size();
   const std::vector<Expression> none(size);
-  // Columns of H^-1 J^T, then of the consistent inverse.
+  // Columns of H^-1 J^T.
   std::vector<std::vector<Expression>> moved;
   for (int r = 0; r < rows.size(); ++r) {
     std::vector<Expression> unit(at(rows.size()));

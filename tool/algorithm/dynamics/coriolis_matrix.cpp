@@ -1,9 +1,9 @@
-// The Coriolis matrix, from composite bodies and how they spread (spread.h).
+// The Coriolis matrix, from composite bodies and their spread (spread.h).
 //
 // With C_ij = integral of u_i (du_j/dt) dm, dH/dt - 2 C is skew symmetric, because H_ij = integral of u_i u_j dm.
 //
-// A rotor adds the momentum p per unit rate of its joint, fixed in its carrier, to the wrenches about the carrier: w x
-// p to that of the column, and p to what multiplies a_w' in the row.
+// A rotor has the momentum p per unit rate of its joint, fixed in its carrier. About the carrier, it adds w x p to the
+// wrench of the column, and p to the factor of a_w' in the row.
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
@@ -17,7 +17,7 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// Row and column of a joint, as far up as the tree goes.
+// Fills the row and the column of a joint, up to the base.
 void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index, SquareMatrix& c) {
   const model::KinematicTree& tree = robot.tree();
   const int base = tree.floating_base ? 6 : 0;
@@ -72,7 +72,8 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
   }
 }
 
-// The joints that a rotor's momentum passes on its way to the links that carry the joint that turns it.
+// Fills the elements of the joints that a rotor's momentum passes on its way to the links that carry the rotor's own
+// joint.
 void add_rotor_path(const TracedRobot& robot, const SpreadBodies& bodies, int index, SquareMatrix& c) {
   const RotorPath path = rotor_path(robot.tree(), index);
   if (path.joints.empty()) return;
@@ -89,7 +90,7 @@ void add_rotor_path(const TracedRobot& robot, const SpreadBodies& bodies, int in
   }
 }
 
-// The base's own motion fields: turning about its axes, sliding along them.
+// Fills the rows and columns of the base's own motion fields: rotation about its axes and translation along them.
 void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatrix& c) {
   robot.trace.section(robot.link_name(0), "base: rows and columns");
   const MassProperties& m = bodies.composite[0];
@@ -129,7 +130,7 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);
   for (int j = 0; j < joints; ++j) add_rotor_path(robot, bodies, j, c);
   if (tree.floating_base) fill_base(robot, bodies, c);
-  // The inertias of joints are parts of the rows above: they take no operations.
+  // The inertias of joints are parts of the rows above and take no further operations.
   c = tree.has_closures() ? coriolis_by_coordinate(trace, c, inertia_by_joint(robot), in.qd, base)
                           : by_coordinate(trace, c, base, Symmetry::none);
   const int size = c.size();

@@ -11,7 +11,7 @@ std::size_t rows_of_base(const Trace& trace) {
   return trace.tree.floating_base ? 6 : 0;
 }
 
-// The force of a row, by the position and velocity of a column.
+// Adds the derivatives of the force of a row by the position and velocity of a column.
 void add_passive(
     const Expression& force,
     std::size_t row,
@@ -22,7 +22,7 @@ void add_passive(
   d.qd[column][row] += symbolic::derivative(force, in.qd[column]);
 }
 
-// From joints to coordinates.
+// Reduces derivatives from joints to coordinates.
 void reduce(Trace& trace, ForceDerivatives& d) {
   const int base = static_cast<int>(rows_of_base(trace));
   for (Columns* columns : {&d.q, &d.qd, &d.qdd}) *columns = by_coordinate(trace, *columns, base);

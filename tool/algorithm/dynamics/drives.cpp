@@ -72,8 +72,8 @@ std::vector<Spin> spins_on(
 }
 
 Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd) {
-  // Added to v^2 it makes the sign of a velocity of zero zero and is lost beside every velocity above 1e-10, in double
-  // and in single precision.
+  // Added to v^2, it makes the sign of a zero velocity zero, and it is lost in rounding next to any velocity above
+  // 1e-10, in double and in single precision.
   constexpr double kLeastSquare = 1e-36;
   const Expression v = trace.lift(drive.friction_velocity);
   const Expression square = v * v + trace.graph.constant(kLeastSquare);
@@ -89,7 +89,7 @@ Expression friction(Trace& trace, const model::Drive& drive, const Expression& q
   return trace.lift(drive.friction) * sign;
 }
 
-// Whether the robot's dynamics use them or not.
+// The passive forces by joint, whether the robot's dynamics use them or not.
 std::vector<Expression> forces_of_drives(
     Trace& trace,
     const std::vector<Expression>& q,

@@ -1,11 +1,11 @@
 // The dynamics algorithms, each written once over symbolic scalars: model in, program out.
 //
-// Conventions of all of them: SI units; joint arrays in the order of the document's joints; 6D vectors angular first;
-// base twist, base acceleration (spatial, gravity not included), gravity and base wrench in base coordinates about the
-// base origin; an external wrench acts on its link, in link coordinates about the link's origin.
+// Conventions of all algorithms: SI units; joint arrays in the order of the document's joints; 6D vectors angular
+// first; base twist, base acceleration (spatial, gravity not included), gravity and base wrench in base coordinates
+// about the base origin; an external wrench acts on its link, in link coordinates about the link's origin.
 //
-// Those that are compared in many formulations are traced without making their programs, too: into a new Trace, whose
-// inputs and outputs they declare.
+// Functions that are compared in many formulations can also be traced without building a program: the `trace_`
+// functions take a new Trace and declare its inputs and outputs.
 #pragma once
 
 #include <string>
@@ -27,7 +27,8 @@ symbolic::Program newton_euler(
     const Formulation& formulation = {});
 void trace_newton_euler(Trace& trace, Loads loads, const Formulation& formulation);
 
-// Floating base that nothing holds (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau, base_acceleration.
+// Inverse dynamics with an unactuated floating base (Featherstone 2008, table 9.6): q, qd, qdd, base_velocity -> tau,
+// base_acceleration.
 symbolic::Program unactuated_base_inverse_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -48,13 +49,15 @@ symbolic::Program coriolis_forces(
     const std::string& name,
     const Formulation& formulation = {});
 
-// What the joints have to overcome in their drives: damping, friction and springs: q, qd -> tau.
+// The passive forces that the joints must overcome in their drives (damping, friction and springs): q, qd -> tau.
 symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name);
 
-// The torque at the shaft of each motor: tau by the ratio of the rotor, and tau where a joint has none: tau -> torque.
+// The torque at the shaft of each motor, which is tau divided by the ratio of the rotor, or tau itself for a joint
+// without a rotor: tau -> torque.
 symbolic::Program motor_torques(const model::KinematicTree& tree, const std::string& name);
 
-// The part that gravity causes, from the first moments of composite bodies: q -> tau [, base_wrench].
+// The part of the bias forces that gravity causes, from the first moments of composite bodies: q ->
+// tau [, base_wrench].
 symbolic::Program gravity_forces(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -71,9 +74,9 @@ struct ForwardDynamicsChoice {
   Formulation formulation;
 };
 
-// False where joints are coupled, which move together, and where a rotor is on a link that moves and is not the parent
-// of its joint: then the articulated inertia of the parent is not all that the joint meets, and forward dynamics is
-// always by the inertia matrix.
+// False if joints are coupled, or if a rotor is on a moving link that is not the parent of its joint. Then the
+// articulated inertia of the parent is not all that the joint meets, and forward dynamics always uses the inertia
+// matrix.
 bool allows_articulated_bodies(const model::KinematicTree& tree);
 
 // q, qd, tau [, base_velocity] -> qdd [, base_acceleration].
@@ -94,8 +97,8 @@ void trace_joint_space_inertia(Trace& trace, const Formulation& formulation);
 
 // L of H = L^T L with the sparsity that branches induce (Featherstone 2008, sec. 6.5): q -> L, of the size of H, and
 // the reciprocals of its diagonal. L(i, j) is a literal zero unless j is i or an ancestor of i; so L is lower
-// triangular where the document declares joints after the ones that carry them. H must be positive definite: results
-// are not finite otherwise.
+// triangular if the document declares joints after the ones that carry them. H must be positive definite: results are
+// not finite otherwise.
 symbolic::Program joint_space_inertia_factor(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -110,7 +113,7 @@ symbolic::Program inertia_factor_inverse_L(
     const model::KinematicTree& tree,
     const symbolic::Program& factor,
     const std::string& name);
-// L, inverse_diagonal -> H^-1: zero where no coordinate is an ancestor of both.
+// L, inverse_diagonal -> H^-1. An element is zero if no coordinate is an ancestor of both its row and its column.
 symbolic::Program inertia_factor_inverse(
     const model::KinematicTree& tree,
     const symbolic::Program& factor,
@@ -125,7 +128,7 @@ symbolic::Program coriolis_matrix(
     const Formulation& formulation = {});
 
 // Inverse dynamics and its partial derivatives by each variable (force_derivatives.h): q, qd, qdd -> tau, d_q, d_qd,
-// d_qdd, of which the last is H. Floating base, fully actuated: q, qd, qdd, base_velocity, base_acceleration -> tau,
+// d_qdd, the last of which is H. Floating base, fully actuated: q, qd, qdd, base_velocity, base_acceleration -> tau,
 // base_wrench, d_q, d_qd, d_qdd, d_base_rotation, d_base_velocity, d_base_acceleration, rows of the base wrench first.
 symbolic::Program inverse_dynamics_derivatives(
     const model::KinematicTree& tree,
@@ -134,7 +137,7 @@ symbolic::Program inverse_dynamics_derivatives(
     const Formulation& formulation = {});
 void trace_inverse_dynamics_derivatives(Trace& trace, Loads loads, const Formulation& formulation);
 
-// The same of a base that nothing holds: q, qd, qdd, base_velocity -> tau, base_acceleration, d_q, d_qd, d_qdd,
+// The same with an unactuated floating base: q, qd, qdd, base_velocity -> tau, base_acceleration, d_q, d_qd, d_qdd,
 // d_base_rotation, d_base_velocity, rows of the base acceleration first.
 symbolic::Program unactuated_base_inverse_dynamics_derivatives(
     const model::KinematicTree& tree,
@@ -142,7 +145,7 @@ symbolic::Program unactuated_base_inverse_dynamics_derivatives(
     Loads loads,
     const Formulation& formulation = {});
 
-// The same for a loop over right-hand sides.
+// The same, with a loop over right-hand sides.
 symbolic::SolvedColumns unactuated_base_inverse_dynamics_derivatives_in_columns(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -156,25 +159,25 @@ symbolic::Program forward_dynamics_derivatives(
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
-// The same for a loop over right-hand sides.
+// The same, with a loop over right-hand sides.
 symbolic::SolvedColumns forward_dynamics_derivatives_in_columns(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
 
-// Inverse dynamics (fully actuated), and the gradient of the product of its forces and `weights`, of (base wrench,
-// tau): inputs of newton_euler, weights in front of gravity -> tau [, base_wrench], d_q, d_qd, d_qdd [,
-// d_base_velocity, d_base_acceleration]. By reverse mode (symbolic/derivative.h).
+// Inverse dynamics (fully actuated), and the gradient of the sum of its forces (base wrench, tau) weighted by
+// `weights`, by reverse mode (symbolic/derivative.h): inputs of newton_euler, weights in front of gravity -> tau [,
+// base_wrench], d_q, d_qd, d_qdd [, d_base_velocity, d_base_acceleration].
 symbolic::Program inverse_dynamics_gradient(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
     const Formulation& formulation = {});
 
-// The same, and the second derivatives of that product: -> … d_q_q, d_qd_q, d_qdd_q, d_qd_qd, rows by the first,
-// columns by the second input; floating base: base_velocity and base_acceleration take part as qd and qdd do. All
-// others are zero: forces are linear in accelerations.
+// The same, and the second derivatives of that sum: -> … d_q_q, d_qd_q, d_qdd_q, d_qd_qd, with rows by the first and
+// columns by the second input. With a floating base, base_velocity and base_acceleration are treated like qd and qdd.
+// All other second derivatives are zero, because forces are linear in accelerations.
 symbolic::Program inverse_dynamics_second_derivatives(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -189,43 +192,43 @@ symbolic::Program gravity_forces_derivative(
     Loads loads,
     const Formulation& formulation = {});
 
-// The mass of all that moves, which is every link but a fixed base; a function of the parameters alone: -> mass.
+// The mass of all that moves (every link but a fixed base), a function of the parameters alone: -> mass.
 symbolic::Program total_mass(const model::KinematicTree& tree, const std::string& name);
 
-// Whether results are in axes of the base, positions in base coordinates, or in those of the world; then `base_pose`
-// (Role::base_pose) is an input behind those of the joints.
+// Whether results are in axes of the base (and positions in base coordinates) or in those of the world. In the latter
+// case `base_pose` (Role::base_pose) is an input after those of the joints.
 enum class CentroidalAxes { of_base, of_world };
 
-// Its centre of mass: q -> com; in axes of the base zero where no moving link has mass.
+// The centre of mass of all that moves: q -> com. In axes of the base it is zero if no moving link has mass.
 symbolic::Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative = {},
     CentroidalAxes axes = CentroidalAxes::of_base);
-// Velocity of that point: q -> J, 3 x n, or 3 x (6 + n) base twist first.
+// The Jacobian of the velocity of that point: q -> J, 3 x n, or 3 x (6 + n) base twist first.
 symbolic::Program center_of_mass_jacobian(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative = {},
     CentroidalAxes axes = CentroidalAxes::of_base);
-// Spatial momentum about that point (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base twist first; angular
-// rows first.
+// The matrix of the spatial momentum about that point (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base
+// twist first; angular rows first.
 symbolic::Program centroidal_momentum_matrix(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative = {},
     CentroidalAxes axes = CentroidalAxes::of_base);
 
-// What is added to that matrix times (base acceleration, qdd) in the rate of the momentum, in an inertial frame
-// (Wensing and Orin 2016): q, qd [, base_velocity] -> bias, 6.
+// The rate of that momentum in an inertial frame, minus A times (base acceleration, qdd) (Wensing and Orin 2016): q, qd
+// [, base_velocity] -> bias, 6.
 symbolic::Program centroidal_momentum_bias(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative = {},
     CentroidalAxes axes = CentroidalAxes::of_base);
 
-// The velocity of that point and the momentum about it, in axes of the world: q, qd, base_pose [, base_velocity] -> v,
-// or h, angular first.
+// The velocity of the centre of mass and the momentum about it, in axes of the world: q, qd, base_pose [,
+// base_velocity] -> v, or h, angular first.
 symbolic::Program center_of_mass_velocity(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -240,26 +243,26 @@ symbolic::Program kinetic_energy(
     const model::KinematicTree& tree,
     const std::string& name,
     const Formulation& formulation = {});
-// q -> V of all that moves, zero where its centre of mass is at the base origin.
+// q -> V of all that moves; it is zero when the centre of mass is at the base origin.
 symbolic::Program potential_energy(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
     const RepresentativeLinks& representative = {});
 
-// Forward dynamics of all joints of the tree in which loops are cut and couplings are open, with the forces that hold
-// them (Featherstone 2008, sec. 8.5, through the sparse factor of sec. 6.5): positions, velocities, joint_forces (in
-// the order of joint_positions) [, base_velocity], stabilization = (1/s^2, 1/s) (Baumgarte 1972), compliance [,
-// gravity]
-// [, external] -> accelerations [, base_acceleration], loop_forces (as below) [, coupling_forces].
+// Forward dynamics of all joints of the tree whose loops are cut and whose couplings are open, with the forces that
+// hold these closed (Featherstone 2008, sec. 8.5, through the sparse factor of sec. 6.5): positions, velocities,
+// joint_forces (in the order of joint_positions) [, base_velocity], stabilization = (1/s^2, 1/s) (Baumgarte 1972),
+// compliance [, gravity] [, external] -> accelerations [, base_acceleration], loop_forces (as below)
+// [, coupling_forces].
 symbolic::Program loop_constrained_forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,
     Loads loads,
     const Formulation& formulation);
 
-// What the frames of loops push one another with: q, qd, qdd [, base_velocity, base_acceleration] [, gravity]
-// [, external] -> forces, by loop three of one in a plane, one of a distance (Trace::reactions).
+// The forces between the two frames of each loop: q, qd, qdd [, base_velocity, base_acceleration] [, gravity]
+// [, external] -> forces, by loop: three for a loop in a plane, one for a distance (Trace::reactions).
 symbolic::Program loop_forces(
     const model::KinematicTree& tree,
     const std::string& name,

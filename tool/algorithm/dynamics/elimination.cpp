@@ -23,7 +23,7 @@ std::vector<std::vector<int>> movers(const KinematicTree& tree) {
   return result;
 }
 
-// By coordinate: where the first joint that it moves stands in the topological order.
+// By coordinate: the place of the first joint that it moves in the topological order.
 std::vector<int> first_places(const KinematicTree& tree, const std::vector<std::vector<int>>& moved_by) {
   std::vector<int> places(at(tree.dof()), std::numeric_limits<int>::max());
   int place = 0;
@@ -34,8 +34,8 @@ std::vector<int> first_places(const KinematicTree& tree, const std::vector<std::
   return places;
 }
 
-// By coordinate: the others that H has an element with, since each moves a joint that carries one of the other's, or
-// the same one, or the carrier of its rotor.
+// By coordinate: the others with which it has an element in H, because one of the two moves a joint that carries a
+// joint of the other, or the same joint, or the carrier of its rotor.
 std::vector<std::set<int>> neighbours(const KinematicTree& tree, const std::vector<std::vector<int>>& moved_by) {
   std::vector<std::set<int>> result(at(tree.dof()));
   const auto tie = [&](int joint, int carrying) {

@@ -1,12 +1,12 @@
 // Derivatives of inverse dynamics, one walk from each joint to the base (in the spirit of Singh, Russell and Wensing
 // 2022), with velocities relative to each link's origin (spread.h) in place of 6 x 6 matrices.
 //
-// A joint's position moves all beyond it like a rigid body. In axes that follow, nothing there changes but what the
-// links have from below: that turned the other way. So the change of all forces beyond is that of a motion field (of
-// the composite body, FieldChange), and the turn of the forces themselves.
+// A joint's position moves all beyond it like a rigid body. In axes that move along, only the motion that the links
+// have from below changes: it turns the other way. So the change of all forces beyond is that of a motion field (of the
+// composite body, FieldChange), plus the rotation of the forces themselves.
 //
 // A rotor (drives.h) adds the moment qdd m + w x qd m to the wrench of its carrier, and m . w' to the force of its
-// joint. In the axes that follow, w of a carrier beyond the joint that moves changes by u, half of
+// joint. In the axes that move along, w of a carrier beyond the moving joint changes by u, half of
 // FieldChange::turning, and its w' by FieldChange::rate - w x u.
 #include "algorithm/dynamics/force_derivatives.h"
 
@@ -25,8 +25,9 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// How accelerations change per unit of a joint's position, in axes that move with its link; of a turn about its axis of
-// a spherical joint, whose axes move with the link too, from the motion of the link as if that joint stood still.
+// The change of accelerations per unit of a joint's position, in axes that move with its link. For a turn about an axis
+// of a spherical joint, whose axes move with the link too, it follows from the motion that the link would have if that
+// joint stood still.
 FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   const AngularState& angular = motion.angular;
   const Vector3 turning = cross(angular.w, S.angular);
@@ -35,13 +36,13 @@ FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   return {turning + turning, rate};
 }
 
-// Half of how they change per unit of its velocity; of a spherical joint w is the mean of what it would be if that
-// joint stood still, and of what it is, since the rates about two axes have no such product.
+// Half of their change per unit of its velocity. For a spherical joint, w is the mean of its value if that joint stood
+// still and of its actual value, because the rates about two axes have no such product.
 FieldChange by_velocity(const Motion& S, const Vector3& w) {
   return change_of_field(w, S);
 }
 
-// How they change per unit of the base's angular velocity about an axis of it.
+// Their change per unit of the base's angular velocity about one of its axes.
 FieldChange by_base_turning(const Vector3& axis, const Motion& base_velocity) {
   return {axis + axis, {cross(base_velocity.angular, axis), cross(axis, base_velocity.linear)}};
 }
@@ -62,7 +63,7 @@ std::vector<Vector3> spins(const TracedRobot& robot, const std::vector<Expressio
   return result;
 }
 
-// Whether the joint behind it towards the base has its motion subspace in the same axes.
+// Whether the next joint towards the base has its motion subspace in the same axes.
 bool has_axes_of_child(const Joint& joint) {
   return joint.is_spherical() && joint.axis > 0;
 }
@@ -96,7 +97,7 @@ class JointWalks {
 
   ForceDerivatives result;
 
-  // Row and columns of a joint, as far up as the tree goes.
+  // Fills the row and columns of a joint, up to the base.
   void fill_joint(int index, const Vector3& base_v) {
     Joint joint = robot_.joint(index);
     const std::size_t link = at(joint.child);
@@ -134,7 +135,7 @@ class JointWalks {
     if (robot_.floating()) fill_base_of_joint(walk, row, base_v);
   }
 
-  // What the joint's rotor does to the joints on its path, and their motion to it.
+  // Adds the effect of the joint's rotor on the joints of its path, and the effect of their motion on it.
   void add_rotor_path(int index) {
     const RotorPath path = rotor_path(robot_.tree(), index);
     if (path.joints.empty()) return;
@@ -158,7 +159,7 @@ class JointWalks {
     }
   }
 
-  // The base wrench by the base's own motion.
+  // Fills the derivatives of the base wrench by the base's own motion.
   void fill_base(const Vector3& v) {
     robot_.trace.section(robot_.link_name(0), "base: derivatives");
     const MassProperties& body = bodies_.composite[0];
@@ -173,7 +174,7 @@ class JointWalks {
   }
 
  private:
-  // What a joint's own motion changes of the wrench on a link below it; half of it by velocity.
+  // The change of the wrench on a link below a joint by the joint's own motion; by velocity, half of it.
   struct Walk {
     int joint;
     Force by_velocity, by_position;
@@ -185,10 +186,10 @@ class JointWalks {
   std::vector<Vector3> spin_;  // by link: momentum of the rotors on it and beyond; empty without rotors
   const StateInputs& in_;
   Expression half_ = robot_.trace.graph.constant(0.5);
-  std::vector<std::string> names_;  // of rows, a joint each
-  int base_;                        // rows of the base
+  std::vector<std::string> names_;  // of the rows of joints
+  int base_;                        // number of rows of the base
 
-  // Of the link of a joint; of a spherical one if that stood still.
+  // The motion of a joint's link; for a spherical joint, the motion if that joint stood still.
   LinkMotion felt_motion(Joint joint) const {
     if (!joint.is_spherical()) return forces_.motions[at(joint.child)];
     joint = robot_.joint(joint.index - joint.axis);
@@ -205,7 +206,7 @@ class JointWalks {
 
   Vector3 unit(std::size_t k) const { return unit_vector(robot_.trace.graph, k); }
 
-  // Carriers beyond the joint.
+  // Adds the rotors whose carriers are beyond the joint.
   void add_rotors_beyond(const Joint& joint, const Motion& S, Walk& walk, ChangeOfMotion& row) const {
     const Vector3 &spin = spin_[at(joint.child)], &s = S.angular;
     walk.by_velocity.moment += half_ * cross(s, spin);
@@ -218,7 +219,7 @@ class JointWalks {
     return half_ * cross(bodies_.w[at(path.carrier)], rotor_momentum(robot_, joint));
   }
 
-  // The rotor of the joint that walks, at the end of its path.
+  // Adds the rotor of the walking joint, at the end of its path.
   void add_own_rotor(const RotorPath& path, Walk& walk, ChangeOfMotion& row) const {
     const Vector3 half = to_end(robot_, path, half_rate_of_rotor(path, walk.joint));
     walk.by_velocity.moment += half;
@@ -231,7 +232,8 @@ class JointWalks {
     describe(value, "dtau_" + names_[at(base_ + row)] + "_" + by + "_" + names_[at(base_ + column)]);
   }
 
-  // The force of a joint below, or its own, by the motion of the one that walks.
+  // Sets the derivatives of the force of a joint below, or of the walking joint's own force, by the motion of the
+  // walking joint.
   void set_columns(const Walk& walk, const ChangeOfMotion& row, const Joint& below) {
     const Expression half = project(below, walk.by_velocity);
     set(result.qdd, "dqdd", below.index, walk.joint, project(below, row.Q));
@@ -239,7 +241,7 @@ class JointWalks {
     set(result.q, "dq", below.index, walk.joint, project(below, walk.by_position));
   }
 
-  // And the other way round.
+  // Sets the derivatives of the walking joint's force by the motion of a joint below.
   void set_row(const Walk& walk, const ChangeOfMotion& row, const Joint& below) {
     const Motion S = subspace(below, robot_.trace.graph);
     const Expression half = dot(row, by_velocity(S, mean_velocity(below)));

@@ -39,7 +39,7 @@ SolvedMotion by_inertia_matrix(const TracedRobot& robot, const StateInputs& in, 
   return {motion, H};
 }
 
-// Replaces columns of forces that motions take, by those of the motions that the forces make: x by -H^-1 x.
+// Replaces columns of forces by columns of the accelerations that compensate them: x by -H^-1 x.
 void solve_columns(const OrderedInertia& H, const std::vector<std::vector<Expression>*>& columns) {
   std::vector<RightSide> right;
   for (const std::vector<Expression>* column : columns) {
@@ -144,7 +144,7 @@ symbolic::Program derivatives(
   return trace.program(name);
 }
 
-// x of H x = b.
+// The solution x of H x = b for a given factor.
 symbolic::Program solution_with_factor(const model::KinematicTree& tree, const std::string& name) {
   const std::vector<std::string> names = coordinate_names(tree);
   const OrderedInertia H(tree, SquareMatrix(static_cast<int>(names.size())));

@@ -9,7 +9,7 @@ namespace {
 
 using symbolic::Role;
 
-// The origin of a frame in its link, as the recursions see that link.
+// The origin of a frame, in the frame that the recursions use for its link.
 Vector3 origin_of(const TracedRobot& robot, const model::Frame& frame) {
   const model::KinematicTree& tree = robot.tree();
   Vector3 origin;

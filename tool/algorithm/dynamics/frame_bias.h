@@ -1,4 +1,4 @@
-// How frames accelerate in a motion of the robot.
+// The acceleration of frames in a motion of the robot.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace robcogen::algorithm {
 
-// Angular acceleration of a frame and acceleration of its origin in an inertial frame, in base axes, minus gravity
-// where the motions carry it. `motions`: by link, as newton_euler_forces has them.
+// Angular acceleration of a frame and acceleration of its origin in an inertial frame, in base axes, minus gravity if
+// `motions` include it. `motions`: by link, as newton_euler_forces returns them.
 Motion acceleration_of(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const model::Frame& frame);
 
 }  // namespace robcogen::algorithm

@@ -19,19 +19,19 @@ struct PointMass {
   Vector3 moment;
 };
 
-// Of an acceleration.
+// The wrench that gives the body an acceleration.
 Force wrench_of(const PointMass& body, const Vector3& a) {
   return {cross(body.moment, a), body.mass * a};
 }
 
-// A robot at rest that something holds against gravity.
+// A robot at rest, held against gravity.
 struct HeldRobot {
   std::vector<Vector3> lift;    // by link: the acceleration that holds it, -g in link axes
-  std::vector<PointMass> body;  // by link: it and all beyond, about its origin
+  std::vector<PointMass> body;  // by link: the link and all beyond it, about its origin
   std::vector<Expression> tau;
 };
 
-// Down: accelerations. Up: masses and first moments.
+// Passes accelerations down the tree, and collects masses and first moments on the way up.
 HeldRobot hold(const TracedRobot& robot, const Vector3& gravity) {
   HeldRobot held;
   held.lift.resize(robot.tree().links.size());
@@ -82,12 +82,12 @@ Program gravity_forces(
 
 namespace {
 
-// Turns about two axes of a spherical joint do not.
+// Whether the motions of two joints commute: turns about two axes of a spherical joint do not.
 bool commute(const model::KinematicTree& tree, int a, int b) {
   return a == b || tree.joints[at(a)].spherical.empty() || tree.joints[at(a)].spherical != tree.joints[at(b)].spherical;
 }
 
-// With joints that follow through loops: by the chain rule (looped_derivatives.h).
+// With joints that follow others through loops, by the chain rule (looped_derivatives.h).
 Program looped_gravity_derivative(
     Trace& trace,
     const StateInputs& in,
@@ -120,8 +120,9 @@ Program looped_gravity_derivative(
 
 }  // namespace
 
-// The potential is minus gravity times the first moment of all, which changes per unit of a joint's position by f, the
-// force of the joint's unit acceleration: so tau = f lift, and the rest follows from how lift turns.
+// The potential is minus gravity times the first moment of the whole robot. Per unit of a joint's position, the moment
+// changes by f, the linear force of a unit acceleration of the joint. So tau = f . lift, and the derivatives follow
+// from how lift turns.
 Program gravity_forces_derivative(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -165,7 +166,7 @@ Program gravity_forces_derivative(
   const int rows = base + tree.dof();
   d_q = by_coordinate(trace, d_q, base);
   const std::vector<int> coordinates = tree.coordinates();
-  // Sums of couplings in another order would round otherwise.
+  // Both triangles are made equal: sums over couplings in another order would round differently.
   for (int r = 0; r < tree.dof(); ++r)
     for (int c = r + 1; c < tree.dof(); ++c)
       if (commute(tree, coordinates[at(r)], coordinates[at(c)])) d_q[at(c)][at(base + r)] = d_q[at(r)][at(base + c)];

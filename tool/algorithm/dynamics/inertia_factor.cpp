@@ -1,5 +1,6 @@
-// The factor L of H = L^T L and what goes on from it, along the ancestors of each coordinate only (Featherstone 2008,
-// sec. 6.5): L(i, j) is zero unless j is i or an ancestor of i, because elimination from the leaves fills nothing in.
+// The factor L of H = L^T L and the functions that use it, along the ancestors of each coordinate only (Featherstone
+// 2008, sec. 6.5): L(i, j) is zero unless j is i or an ancestor of i, because elimination from the leaves fills nothing
+// in.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -19,11 +20,11 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Role;
 
-// What the rows of H stand for.
+// What a row of H stands for.
 struct Coordinate {
-  std::string name;            // the joint's; `base_wx`, …
-  std::string short_name;      // the joint's; `wx`, …
-  std::string link;            // that it moves
+  std::string name;            // of the joint, or `base_wx`, …
+  std::string short_name;      // of the joint, or `wx`, …
+  std::string link;            // the link that it moves
   std::vector<int> ancestors;  // nearest last
 };
 
@@ -88,7 +89,8 @@ SquareMatrix inverse_of(ProgramTrace& trace, const GivenFactor& f) {
   return inverse;
 }
 
-// How a row's elements reach the rows of its ancestors. Both forms give the same; the pivot is d = L(i, i)^2.
+// How the elimination of a row changes the rows of its ancestors. Both forms give the same result; the pivot is
+// d = L(i, i)^2.
 enum class Elimination {
   products_of_L,  // H(j, k) -= L(i, j) L(i, k): fewest operations
   reciprocals,    // H(j, k) -= H(i, j) / d H(i, k): the next pivot does not wait for a square root

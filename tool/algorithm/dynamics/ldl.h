@@ -1,4 +1,4 @@
-// Linear systems with a symmetric positive definite matrix, by factors without square roots.
+// Linear systems with a symmetric positive definite matrix, by factorisation without square roots.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,24 @@
 
 namespace robcogen::algorithm {
 
-// Of A = L^T D L: the elements of L below its diagonal of ones, and the reciprocals of D.
+// The factors of A = L^T D L: the elements of L below its diagonal of ones, and the reciprocals of D.
 struct LdlFactors {
   SquareMatrix l;
   std::vector<Expression> inverse_d;
 };
 
-// From the last row up: zeros of A cost nothing. (Featherstone 2008, sec. 6.5.) `names` of the rows: of factors, and
-// what is left of A. Calls row(k) before row k is eliminated, and element(k, i) when that has reached row i.
+// Eliminates from the last row up; zeros of A cost nothing. (Featherstone 2008, sec. 6.5.) `names`: of the rows, for
+// the factors and what is left of A. Calls row(k) before row k is eliminated, and element(k, i, l) when its elimination
+// has reached row i.
 LdlFactors ldl_factors(
     SquareMatrix a,
     const std::vector<std::string>& names,
     const std::function<void(int k)>& row = {},
     const std::function<void(int k, int i, const Expression& l)>& element = {});
 
-// Solutions of A x = b. `names`: also of b and x.
+// Solves A x = b. `names` also names b and x.
 std::vector<Expression> solve(SquareMatrix a, std::vector<Expression> b, const std::vector<std::string>& names);
-// For many b, each with a name of its own.
+// The same for many b, each with a name of its own.
 struct RightSide {
   std::string name;
   std::vector<Expression> b;

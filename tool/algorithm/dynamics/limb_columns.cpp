@@ -19,13 +19,13 @@ std::vector<int> ranks(const std::vector<int>& order) {
   return rank;
 }
 
-// Rows of H: those in common, then those of each limb.
+// Rows of H: common rows, then those of each limb.
 struct LimbRows {
   int first = 0, count = 0, joints = 0;
 
   int row(int limb, int joint) const { return first + limb * joints + joint; }
   int limb_of(int row) const { return (row - first) / joints; }
-  // The row of another limb in the place of one of the first limb; common rows are the same.
+  // The row of another limb that corresponds to a row of the first limb; common rows correspond to themselves.
   int counterpart(int row, int limb) const { return row < first ? row : row + limb * joints; }
 };
 
@@ -54,7 +54,7 @@ std::optional<LimbRows> limb_rows(const model::KinematicTree& tree, const Elimin
   return limbs;
 }
 
-// Whether each column has its own limb's rows and the common ones alone.
+// Whether each column is zero except in common rows and those of its own limb.
 bool is_of_limbs(const SolvedColumns& solved, const SolvedColumns::Block& block, const LimbRows& limbs) {
   const symbolic::Program& program = solved.right_sides;
   const symbolic::OutputArray& array = program.outputs[at(block.output)];
@@ -69,7 +69,8 @@ bool is_of_limbs(const SolvedColumns& solved, const SolvedColumns::Block& block,
   return true;
 }
 
-// Elements of the factor in rows of each limb, as in SolvedColumns::Limbs::own: by row, those of L, then of D.
+// Elements of the factor in rows of each limb, as in SolvedColumns::Limbs::own: by row, first those of L, then that of
+// D.
 std::vector<int> own_elements(const EliminationTree& elimination, const LimbRows& limbs) {
   const std::vector<std::pair<int, int>> elements = elements_of_factor(elimination);
   const std::vector<int> rank = ranks(elimination.order);
@@ -110,7 +111,7 @@ symbolic::Program limb_solution(
   const std::vector<Expression> is_limb = trace.input("is_limb", Role::value, limb_names);
   const std::vector<Expression> given = trace.input("b", Role::value, b_names);
   trace.section("solution", "a column of each limb");
-  // With the lane's limb in the rows of the first one, and nothing in those of the others.
+  // The lane's limb takes the rows of the first limb; the rows of the others are zero.
   LdlFactors in_place = factors;
   std::vector<Expression> b(names.size());
   for (std::size_t k = 0; k < given.size(); ++k) b[at(rank[k])] = given[k];

@@ -1,4 +1,4 @@
-// Right-hand sides that belong to limbs, solved for one of each limb at a time.
+// Right-hand sides that belong to limbs, solved with one column of each limb at a time.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace robcogen::algorithm {
 
-// Where the elimination leaves elements of L, by row and column of the ordered matrix.
+// The elements of L that the elimination leaves, by row and column of the ordered matrix.
 std::vector<std::pair<int, int>> elements_of_factor(const EliminationTree& elimination);
 
 // Declares the input `factor`: these elements, then the reciprocals of D. `names`: of the ordered rows.
@@ -21,9 +21,9 @@ LdlFactors given_factors(
     const EliminationTree& elimination,
     const std::vector<std::string>& names);
 
-// Sets `limbs` where a free base has two, four, eight or sixteen limbs of as many coordinates and of the same
-// structure, and some blocks of right-hand sides are zero in the rows of other limbs: elimination then starts in the
-// limb of the column alone. `name`: of the program.
+// Sets `limbs` if a floating base has two, four, eight or sixteen limbs with the same number of coordinates and the
+// same structure, and if some blocks of right-hand sides are zero in the rows of other limbs: elimination then starts
+// in the limb of the column only. `name`: of the program.
 void find_limbs(const model::KinematicTree& tree, const std::string& name, symbolic::SolvedColumns& solved);
 
 }  // namespace robcogen::algorithm

@@ -46,7 +46,7 @@ StateInputs motion_inputs(Trace& trace) {
 }
 
 LoadInputs::LoadInputs(Trace& trace, Loads loads) {
-  // As the decimal that it is: products with exact numbers of the model stay exact.
+  // Read as a decimal, so that products with exact numbers of the model stay exact.
   const Number g = *Number::parse(print_double(kStandardGravity));
   gravity = loads == Loads::standard_gravity ? Vector3{Expression(), Expression(), trace.graph.constant(-g)}
                                              : trace.vector_input("gravity", Role::gravity);

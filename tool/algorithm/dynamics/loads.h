@@ -1,4 +1,4 @@
-// Gravity and external wrenches, and the state that a program of the dynamics starts from, as inputs.
+// The inputs of a dynamics program: the state, gravity and external wrenches.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace robcogen::algorithm {
 enum class Loads {
   standard_gravity,      // (0, 0, -9.81) m/s^2 in base coordinates, folded
   gravity,               // `gravity` is an input
-  gravity_and_external,  // and so is `external`
+  gravity_and_external,  // `external` is an input, too
 };
 
-// Of the first overload of a function.
+// The loads of the first overload of a function.
 inline Loads default_loads(const model::KinematicTree& tree) {
   return tree.floating_base ? Loads::gravity : Loads::standard_gravity;
 }
@@ -24,9 +24,9 @@ inline constexpr double kStandardGravity = 9.81;  // m/s^2, along -z of the base
 
 enum class State { position, velocity, acceleration, force, base_pose, base_velocity, base_acceleration };
 
-// By joint, forces by coordinate; the last two are of a floating base.
+// The state inputs: by joint, but forces by coordinate; the last two are of a floating base.
 struct StateInputs {
-  // Declares those that are listed, in this order; velocity and acceleration of the base only where it floats.
+  // Declares the listed inputs, in this order; velocity and acceleration of the base only if it floats.
   StateInputs(Trace& trace, const std::vector<State>& list);
 
   std::vector<Expression> q, qd, qdd, tau;
@@ -38,7 +38,7 @@ struct StateInputs {
 // Positions, velocities and accelerations of the joints, velocity and acceleration of the base.
 StateInputs motion_inputs(Trace& trace);
 
-// Gravity and external wrenches of a program. Declares its inputs: call after all other inputs.
+// Gravity and external wrenches of a program. The constructor declares its inputs: call it after all others.
 struct LoadInputs {
   LoadInputs(Trace& trace, Loads loads);
 

@@ -1,4 +1,4 @@
-// Loops, and couplings of joints, as constraints of the tree in which all joints move by themselves.
+// Loops, and couplings of joints, as constraints of the tree in which all joints move independently.
 #pragma once
 
 #include <memory>
@@ -9,22 +9,22 @@
 
 namespace robcogen::algorithm {
 
-// A loop that formulas close in a plane has two rows there, a distance has one. Of loops that no formulas close the
-// rows that say the same as others are left out. A coupling that no loop makes has a row.
+// A loop that formulas close in a plane has two rows, a distance has one. For loops that no formulas close, redundant
+// rows are left out. A coupling that does not come from a loop has one row.
 class LoopConstraints {
  public:
-  // `looped` has the loops and couplings, and outlives this; the robot of the trace is with_free_joints of it. q: by
-  // joint.
+  // `looped` has the loops and couplings and must outlive this object; the robot of the trace is
+  // with_free_joints(looped). `q`: by joint.
   LoopConstraints(Trace& trace, const model::KinematicTree& looped, const std::vector<Expression>& q);
 
   ConstraintRows rows;
-  // By row: how far from closed, which changes by `rows`.
+  // By row: the distance from closed, whose derivative is given by `rows`.
   std::vector<Expression> error;
 
-  // By row: what velocities of the joints, `qd`, add to the change of its rate.
+  // By row: the contribution of the joint velocities `qd` to the second derivative of the error.
   std::vector<Expression> bias(const std::vector<Expression>& qd);
-  // Of what the rows push with: by loop its force, as Trace::reactions has it, then by coupling its force on the joint
-  // that follows.
+  // The constraint forces that belong to `lambda`: by loop as in Trace::reactions, and by coupling the force on the
+  // joint that follows.
   struct Forces {
     std::vector<std::vector<Expression>> of_loops;
     std::vector<Expression> of_couplings;

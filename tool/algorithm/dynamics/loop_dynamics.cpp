@@ -13,7 +13,7 @@ using symbolic::Role;
 
 namespace {
 
-// By joint; behind positions the scalar parts of quaternions.
+// Inputs by joint; positions are followed by the scalar parts of quaternions.
 StateInputs inputs_of_all_joints(Trace& trace, const model::KinematicTree& looped) {
   std::vector<std::string> scalars;
   for (const int first : looped.spherical_joints())
@@ -26,7 +26,7 @@ StateInputs inputs_of_all_joints(Trace& trace, const model::KinematicTree& loope
   return in;
 }
 
-// What pulls loops together (Baumgarte 1972), and what yields in them.
+// The gains that keep loops closed (Baumgarte 1972), and the compliance of the loops.
 struct Stabilization {
   explicit Stabilization(Trace& trace) {
     const std::vector<Expression> gains = trace.input("stabilization", Role::value, {"position", "velocity"});

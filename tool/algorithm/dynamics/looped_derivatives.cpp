@@ -8,7 +8,7 @@ namespace {
 
 using symbolic::Rate;
 
-// Of a turn about an axis of the child of a spherical joint: q (1, t / 2), of a unit quaternion.
+// Adds the rates of a unit quaternion for a turn t about an axis of the child of a spherical joint: q (1, t / 2).
 void add_turn(Trace& trace, const std::vector<Expression>& q, int component, std::vector<Rate>& changes) {
   const model::KinematicTree& tree = trace.tree;
   const std::vector<int> balls = tree.spherical_joints();
@@ -24,7 +24,7 @@ void add_turn(Trace& trace, const std::vector<Expression>& q, int component, std
   changes.push_back({part(axis + 2), -(half * part(axis + 1))});
 }
 
-// Of a unit motion of a coordinate.
+// The changes of positions for a unit motion of a coordinate.
 std::vector<Rate> position_changes(Trace& trace, const std::vector<Expression>& q, int joint) {
   const model::KinematicTree& tree = trace.tree;
   std::vector<Rate> changes;
@@ -42,7 +42,7 @@ void append(std::vector<Rate>& changes, const std::vector<Rate>& more) {
   changes.insert(changes.end(), more.begin(), more.end());
 }
 
-// Accelerations are given, also where they are results.
+// Accelerations are held constant, even if they are results.
 std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
   std::vector<Rate> held;
   for (const int joint : tree.coordinates()) held.push_back({in.qdd[at(joint)], Expression()});

@@ -1,4 +1,4 @@
-// Derivatives of robots with loops, by the chain rule over expressions: joints that follow turn with the others in
+// Derivatives for robots with loops, by the chain rule over expressions: joints that follow others move with them in
 // proportions that change, so that forces of joints change with G too.
 #pragma once
 
@@ -12,16 +12,17 @@ namespace robcogen::algorithm {
 // The wrench of a floating base, then the forces of coordinates, from those of all joints.
 std::vector<Expression> generalized_forces(Trace& trace, const Force& base_wrench, const std::vector<Expression>& tau);
 
-// Of these expressions, by the positions of coordinates, by turns for spherical joints: a column each. Joints that
-// follow in q move as their loops have it. `held` does not change, whatever it depends on.
+// The derivatives of these expressions by the positions of coordinates (for spherical joints by turns), a column for
+// each. Joints that follow others in q move as their loops require. Expressions in `held` have the given rates,
+// whatever they depend on.
 Columns derivatives_by_positions(
     Trace& trace,
     const std::vector<Expression>& of,
     const std::vector<Expression>& q,
     const std::vector<symbolic::Rate>& held = {});
 
-// As force_derivatives: in.qdd, by joint, and in.base_acceleration may be inputs or results; forces.tau has all forces
-// of joints, passive ones too.
+// The same as force_derivatives. in.qdd (by joint) and in.base_acceleration may be inputs or results; forces.tau must
+// have all joint forces, including passive ones.
 ForceDerivatives looped_force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,

@@ -183,7 +183,7 @@ Program inverse_dynamics_gradient(
     outputs = {"base_wrench", "tau"};
     inputs.insert(inputs.end(), {"base_velocity", "base_acceleration"});
   }
-  std::size_t place = 0;  // the first of the loads
+  std::size_t place = 0;  // place of the first load input
   while (place < forces.inputs.size() && forces.inputs[place].role != Role::gravity) ++place;
   return symbolic::with_gradient(forces, outputs, inputs, place, follower_rates(tree));
 }

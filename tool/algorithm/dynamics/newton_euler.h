@@ -10,8 +10,8 @@ namespace robcogen::algorithm {
 struct Forces {
   std::vector<Expression> tau;  // by joint
   Force base_wrench;            // of a floating base
-  // By link, about its origin in its axes: how it moves, and the wrench that it and all beyond need. The base's wrench
-  // only where it floats; of a link on a fixed base only what its joint feels.
+  // By link, about its origin in its axes: its motion, and the wrench that it and all beyond it need. The base has a
+  // wrench only if it floats; a link on a fixed base has only the part that its joint feels.
   std::vector<LinkMotion> motions;
   std::vector<Force> wrenches;
 };
@@ -33,11 +33,11 @@ struct TracedMotion {
   Forces forces;
 };
 
-// At zero joint and base acceleration, without passive forces.
+// The forces at zero joint and base acceleration, without passive forces.
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
 
-// What is there to accelerate the robot: (- base wrench, tau - needed), an element a row of the joint-space inertia
-// matrix. `tau`: by coordinate.
+// The forces that accelerate the robot: (- base wrench, tau - needed), an element for each row of the joint-space
+// inertia matrix. `tau`: by coordinate.
 std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed);
 
 }  // namespace robcogen::algorithm

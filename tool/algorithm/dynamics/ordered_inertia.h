@@ -16,7 +16,7 @@ struct OrderedInertia {
 
   OrderedInertia(const model::KinematicTree& tree, const SquareMatrix& H);
 
-  // Of a vector with the coordinates of H, and back.
+  // Reorders a vector over the coordinates of H, and back.
   std::vector<Expression> ordered(const std::vector<Expression>& x) const;
   std::vector<Expression> unordered(const std::vector<Expression>& x) const;
 };

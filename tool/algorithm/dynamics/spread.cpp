@@ -20,7 +20,8 @@ Matrix3 spread_of_rigid_body(const Vector3& w, const Matrix3& s) {
   return k;
 }
 
-// About an origin from which the old one is at p, with rate p'. `first_moment` is about the new origin.
+// Moves the reference to an origin from which the old one is at p, with rate p'. `first_moment` is about the new
+// origin.
 void displace(
     Spread& body,
     const Expression& mass,

@@ -1,8 +1,9 @@
-// How composite bodies spread: the integrals of velocities that Coriolis forces and derivatives of forces are made of.
+// The spread of composite bodies: integrals of velocities, from which Coriolis forces and derivatives of forces are
+// computed.
 //
-// A particle at p, seen from the origin of a link that supports it, moves by u = a_v + a_w x p per unit rate of a
-// coordinate. The derivative of u by time, in resting axes, is a_v' + a_w' x p + a_w x p': so, beside mass, first
-// moment h and pseudo-inertia, a composite body needs l = integral of p' dm and K = integral of p' p^T dm. Then the
+// A particle at p, relative to the origin of a link that supports it, moves by u = a_v + a_w x p per unit rate of a
+// coordinate. The time derivative of u, in axes at rest, is a_v' + a_w' x p + a_w x p'. So a composite body needs
+// l = integral of p' dm and K = integral of p' p^T dm in addition to mass, first moment h and pseudo-inertia. Then the
 // wrench about the origin that belongs to du/dt is
 //     f = m a_v' + a_w' x h + a_w x l,     n = h x a_v' + I a_w' + (tr(K) 1 - K) a_w.
 #pragma once
@@ -19,7 +20,7 @@ struct Spread {
   Matrix3 K;
 };
 
-// How the vector from the parent's origin to the child's changes, in the two parts of Pose.
+// The rate of the vector from the parent's origin to the child's, in the two parts of Pose.
 struct OriginRate {
   Vector3 offset;  // parent axes
   Vector3 slide;   // child axes
@@ -50,16 +51,16 @@ struct ChangeOfMotion {
 };
 ChangeOfMotion to_parent(const Pose& X_PC, const OriginRate& rate, const ChangeOfMotion& x);
 
-// What such a form multiplies: a_w, and (a_w', a_v').
+// The argument of such a form: a_w, and (a_w', a_v').
 struct FieldChange {
   Vector3 turning;
   Motion rate;
 };
 Expression dot(const ChangeOfMotion& x, const FieldChange& field);
-// (n, f) of it, above.
+// The wrench (n, f), above, of a change of a field.
 Force wrench_of(const MassProperties& m, const Spread& body, const FieldChange& field);
 
-// What the motion fields of a link that turns by w, about and along its axes, have of this.
+// The form applied to the motion fields of a link that turns by w, about and along its axes.
 Force on_fields_of_link(const ChangeOfMotion& x, const Vector3& w);
 
 // (tr(K) 1 - K) v.
@@ -70,9 +71,9 @@ Vector3 rate_of_z(const Vector3& w);
 
 // The change of the motion field of a joint whose axis turns with its link, by w.
 FieldChange change_of_field(const Vector3& w, const Motion& S);
-// The wrench that belongs to it.
+// The wrench that belongs to this change.
 Force column_wrench(const MassProperties& m, const Spread& body, const Vector3& w, const Motion& S);
-// The integral of that field, for the change of others.
+// The integral of that field, as a form of the change of others.
 ChangeOfMotion row_of_joint(const MassProperties& m, const Spread& body, const Joint& joint, const Motion& S);
 
 }  // namespace robcogen::algorithm

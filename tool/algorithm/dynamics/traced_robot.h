@@ -1,4 +1,4 @@
-// A robot while a program of its dynamics is traced: where its links are, and their mass properties.
+// A robot while a program of its dynamics is traced: the poses and the mass properties of its links.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 namespace robcogen::algorithm {
 
 struct TracedRobot {
-  // The mass properties of the model; with a formulation, those that make the same dynamics cheap.
+  // Uses the mass properties of the model or, with a formulation, others that give the same dynamics at less cost.
   TracedRobot(Trace& trace, const std::vector<Expression>& q, const RepresentativeLinks& representative = {});
   TracedRobot(Trace& trace, const std::vector<Expression>& q, const Formulation& formulation);
 
   Trace& trace;
   std::vector<Pose> poses;             // by joint: child link in parent link
   std::vector<MassProperties> masses;  // by link
-  std::vector<Pose> frames_of_model;   // by link: the model's link frame, where the formulation has another; or empty
+  std::vector<Pose> frames_of_model;   // by link: the model's link frame in the formulation's; empty if equal
 
   const model::KinematicTree& tree() const { return trace.tree; }
   bool floating() const { return trace.tree.floating_base; }
@@ -33,7 +33,7 @@ struct TracedRobot {
   // False for children of a fixed base: nothing needs their wrench.
   bool parent_matters(int link) const;
 
-  // Subtracts the external wrench on this link, if there are any, from the wrench that the link needs.
+  // Subtracts the external wrench on this link, if there is one, from the wrench that the link needs.
   void subtract_external(const LoadInputs& loads, int link, Force& wrench) const;
 
  private:
@@ -41,9 +41,9 @@ struct TracedRobot {
   void fold_like(const RepresentativeLinks& representative);
 };
 
-// The representative numbers of congruent limbs (representative_limbs.h) among those that such a robot starts from,
-// before any mass properties turn with a joint. Of robots without parameters; empty where congruent limbs fold in the
-// same way.
+// The representative numbers of congruent limbs (representative_limbs.h) for the poses and mass properties that such a
+// robot starts from, before any mass properties turn with a joint. For robots without parameters; empty if congruent
+// limbs fold in the same way.
 RepresentativeLinks representative_links(const model::KinematicTree& tree, const Formulation& formulation);
 // The same for a robot without formulation.
 RepresentativeLinks representative_links(const model::KinematicTree& tree);

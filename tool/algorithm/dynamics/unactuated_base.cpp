@@ -1,4 +1,4 @@
-// Inverse dynamics of a robot whose base nothing holds (Featherstone 2008, sec. 9.4).
+// Inverse dynamics of a robot with an unactuated floating base (Featherstone 2008, sec. 9.4).
 #include <algorithm>
 #include <utility>
 
@@ -17,8 +17,8 @@ using symbolic::Role;
 
 namespace {
 
-// The motion with a base that does not accelerate needs a wrench on the base that nothing supplies; so the whole robot
-// accelerates like one rigid body by the wrench that is missing.
+// With a base that does not accelerate, the motion needs a wrench on the base that nothing supplies. So the whole robot
+// accelerates like one rigid body under the missing wrench.
 struct FreeRobot {
   Forces forces;                          // with a base that does not accelerate
   std::vector<MassProperties> composite;  // by link
@@ -63,11 +63,11 @@ namespace {
 
 const std::vector<std::string> kBaseNames = {"wx", "wy", "wz", "vx", "vy", "vz"};
 
-// What the derivatives of a free base follow from.
+// The derivatives at a given base acceleration, from which those with an unactuated base follow.
 struct HeldDerivatives {
   Motion base_acceleration;
   Forces forces;
-  ForceDerivatives d;    // of a given base acceleration
+  ForceDerivatives d;    // at a given base acceleration
   SquareMatrix inertia;  // of the whole robot: H_bb
 };
 
@@ -82,8 +82,8 @@ HeldDerivatives held_derivatives(const TracedRobot& robot, StateInputs in, const
   return {free.acceleration, std::move(forces), std::move(d), matrix(rigid_body_inertia(free.composite[0]))};
 }
 
-// By what it changes: with H_bb a + H_bj qdd + … = 0, where the derivatives of the base wrench are those of a given
-// base acceleration, da = -H_bb^-1 d(base wrench), d tau = d tau (given a) + H_jb da.
+// Lets the base accelerate: with H_bb a + H_bj qdd + … = 0 and the derivatives of the base wrench at a given base
+// acceleration, da = -H_bb^-1 d(base wrench), d tau = d tau (given a) + H_jb da.
 void release_base(HeldDerivatives& held) {
   ForceDerivatives& d = held.d;
   std::vector<RightSide> right;
@@ -112,7 +112,7 @@ void release_base(HeldDerivatives& held) {
 
 void write_outputs(Trace& trace, const StateInputs& in, const LoadInputs& load, HeldDerivatives& held) {
   ForceDerivatives& d = held.d;
-  // Rows 3 to 5 alone, whatever the robot: all its parts fall with the same acceleration.
+  // Only rows 3 to 5 differ from zero, for any robot: all its parts fall with the same acceleration.
   fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
   trace.output("tau", Role::joint_force, by_coordinate(trace, held.forces.tau));
   trace.output("base_acceleration", Role::base_acceleration, held.base_acceleration);
@@ -124,7 +124,8 @@ void write_outputs(Trace& trace, const StateInputs& in, const LoadInputs& load, 
   trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
 }
 
-// Elements of L that the elimination in H_bb leaves: of the mass, in the last three rows, none by each other.
+// The elements of L that the elimination in H_bb leaves. The last three rows, those of the mass, have none among each
+// other.
 std::vector<std::pair<int, int>> elements_of_base_factor() {
   std::vector<std::pair<int, int>> elements;
   for (int row = 0; row < 6; ++row)
@@ -132,7 +133,7 @@ std::vector<std::pair<int, int>> elements_of_base_factor() {
   return elements;
 }
 
-// What columns are solved with: the factor of H_bb, and H_jb by columns.
+// The numbers that columns are solved with: the factor of H_bb, and H_jb by columns.
 std::vector<Expression> base_factor(const HeldDerivatives& held) {
   const LdlFactors factors = ldl_factors(held.inertia, kBaseNames);
   std::vector<Expression> factor;
@@ -166,7 +167,7 @@ symbolic::Program free_derivatives(
   return trace.program(name);
 }
 
-// What becomes of a column of derivatives with a given base acceleration.
+// Turns a column of derivatives at a given base acceleration into one with an unactuated base.
 symbolic::Program released_column(const model::KinematicTree& tree, const std::string& name) {
   const std::vector<std::pair<int, int>> elements = elements_of_base_factor();
   const std::vector<std::string> names = coordinate_names(tree);

@@ -20,7 +20,7 @@ Frame base_frame(const KinematicTree& tree) {
   return tree.frames().front();
 }
 
-// How the base sees a frame.
+// A frame as seen from the base.
 Seen seen_from_base(
     Trace& trace,
     const Frame& frame,
@@ -50,14 +50,14 @@ void output_in_world(Trace& trace, const StateInputs& in, const char* name, cons
   trace.output(name, Role::value, in_axes(in.base_rotation, in_base, false));
 }
 
-// How a frame moves that the base sees so, in axes of the base: angular, then of the origin.
+// The velocity of a frame in axes of the base, angular and of its origin, from the frame as seen from the base.
 Motion velocity_with_base(const StateInputs& in, const Seen& frame) {
   const Vector3 &w = in.base_velocity.angular, &v = in.base_velocity.linear;
   return {w + frame.w, v + cross(w, frame.position) + frame.velocity};
 }
 
-// Centripetal and Coriolis acceleration in the moving base (Siciliano et al., Robotics, 2009, 7.2.1); the acceleration
-// of the base is spatial.
+// The acceleration, with centripetal and Coriolis acceleration in the moving base (Siciliano et al., Robotics, 2009,
+// 7.2.1); the acceleration of the base is spatial.
 Motion acceleration_with_base(const StateInputs& in, const Seen& frame) {
   const auto& [w, v] = in.base_velocity;
   const auto& [wd, vd] = in.base_acceleration;
@@ -66,7 +66,7 @@ Motion acceleration_with_base(const StateInputs& in, const Seen& frame) {
   return {wd + cross(w, frame.w) + frame.wd, linear + cross(w, v + cross(w, frame.position) + twice)};
 }
 
-// Axes of the frame: what the recursion to its link finds there, and from there on.
+// The acceleration in axes of the frame: by the recursion to its link, and from there to the frame.
 Motion acceleration_in_frame(
     Trace& trace,
     const StateInputs& in,

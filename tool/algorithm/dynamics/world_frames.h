@@ -1,9 +1,9 @@
-// Frames of a robot whose base has a pose in the world: where they are and how they move there.
+// Frames of a robot whose base has a pose in the world: their position and motion in the world.
 //
 // Velocities and accelerations are the angular one of the frame, then that of its origin, with respect to the world:
-// numbers that a sensor on the frame would measure (no gravity), not spatial vectors. They are in axes of the world, or
-// in those of the frame itself, where no pose is needed. Columns have the order of the joint-space inertia matrix: base
-// twist in base coordinates first.
+// values that a sensor on the frame would measure (without gravity), not spatial vectors. They are in axes of the
+// world, or in those of the frame itself, which takes no pose of the base. Columns have the order of the joint-space
+// inertia matrix: base twist in base coordinates first.
 #pragma once
 
 #include <string>

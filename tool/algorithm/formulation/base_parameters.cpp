@@ -5,7 +5,8 @@
 namespace robcogen::algorithm {
 namespace {
 
-// Moment b and pseudo-inertia s on the axis z' of the joint, with the mass m at the point p of the axis, in the parent:
+// The mass properties of a rod on the joint's axis z, in the parent: mass m at the point p of the axis, moment b and
+// pseudo-inertia s along the axis:
 //     m += m,   h += m p + b z,   S += m p p' + b (p z' + z p') + s z z'.
 MassProperties rod(const Vector3& p, const Vector3& z, const MassProperties& child) {
   const Expression& b = child.first_moment[2];
@@ -28,7 +29,7 @@ MassProperties rod(const Vector3& p, const Vector3& z, const MassProperties& chi
   return result;
 }
 
-// Takes what a revolute joint does not feel from its child; the share of the parent.
+// Removes from the child the mass properties that a revolute joint does not feel, and returns the parent's share.
 MassProperties take_revolute(Trace& trace, const Pose& pose, MassProperties& child) {
   const Expression zero;
   const Vector3 z = to_parent(pose.rotation, {zero, zero, trace.graph.one()});
@@ -37,8 +38,8 @@ MassProperties take_revolute(Trace& trace, const Pose& pose, MassProperties& chi
   return share;
 }
 
-// A spherical joint does not feel where the mass of its child acts: at its centre. The child keeps its moments about
-// it.
+// A spherical joint does not feel a mass at its centre: the mass of the child goes to the parent there, and the child
+// keeps its moments about the centre.
 MassProperties take_spherical(const Pose& pose, MassProperties& child) {
   const Vector3& p = pose.offset;
   MassProperties share;
@@ -51,7 +52,7 @@ MassProperties take_spherical(const Pose& pose, MassProperties& child) {
   return share;
 }
 
-// A slide moves the mass: the second moment along the axis stays.
+// A helical joint also moves the mass along its axis, so only the second moment along the axis goes to the parent.
 MassProperties take_helical(Trace& trace, const Pose& pose, MassProperties& child) {
   const Expression zero;
   MassProperties on_axis;
@@ -96,7 +97,7 @@ std::vector<MassProperties> regrouped(
     const Pose& pose = poses[static_cast<std::size_t>(j)];
     const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
     trace.section(name, "link ", ": mass properties that matter");
-    // Of a spherical joint behind the last component.
+    // The child of a spherical joint is behind its last component.
     const int link = joint.spherical.empty() ? joint.child : tree.joints[static_cast<std::size_t>(j) + 2].child;
     MassProperties& child = masses[static_cast<std::size_t>(link)];
     const MassProperties share = take(trace, joint.type, pose, child);

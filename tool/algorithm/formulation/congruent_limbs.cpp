@@ -47,10 +47,10 @@ std::vector<std::vector<int>> limb_inputs(
   for (const symbolic::InputArray& array : program.inputs) {
     const auto size = static_cast<int>(array.elements.size());
     for (const std::vector<int>& joints : limbs.joints) {
-      const bool follow = tree.coupling_of(joints.front()) != nullptr;  // no coordinates
+      const bool follow = tree.coupling_of(joints.front()) != nullptr;  // these joints have no coordinates
       if (follow && is_by_joint(array.role)) continue;
       if (array.role == Role::joint_position) {
-        // Of a quaternion first the scalar part.
+        // The scalar part of a quaternion comes first.
         const model::Joint& first = tree.joints[static_cast<std::size_t>(joints.front())];
         for (int offset = !first.spherical.empty() && first.is_first() ? -1 : 0; offset <= 0; ++offset) {
           std::vector<int>& tuple = tuples.emplace_back();

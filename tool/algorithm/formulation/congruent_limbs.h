@@ -1,4 +1,4 @@
-// Congruent limbs of a robot, and the inputs of its programs that belong to them.
+// The congruent limbs of a robot, and the inputs of its programs that belong to them.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace robcogen::algorithm {
 
 // Limbs of one class that can share the lanes of vectors: 2, 4 or 8 of them. Six legs are four and two.
 struct LimbsInLanes {
-  std::vector<std::string> names;        // of the first joint of each
-  std::vector<std::vector<int>> joints;  // corresponding ones, one of each limb
+  std::vector<std::string> names;        // the first joint of each limb
+  std::vector<std::vector<int>> joints;  // tuples of corresponding joints, one of each limb
 };
 
 std::vector<LimbsInLanes> limbs_in_lanes(const model::KinematicTree& tree);

@@ -12,23 +12,23 @@ namespace robcogen::algorithm {
 
 struct Formulation {
   bool regroup = true;  // mass properties that a joint does not feel move to the parent (base_parameters.h)
-  bool choose_forward_dynamics = true;  // by inertia matrix where that is quicker; else always by articulated bodies
-  bool choose_frames = true;            // turned and slid along joint axes, where that is cheaper (link_frames.h)
-  bool turn_inertia = true;             // of links, instead of the vectors of the recursion, where that is cheaper
-  bool choose_reverse_mode = true;      // for derivatives of programs, where that is cheaper; else always forward mode
-  int effort = 0;                       // of the search for such frames (frame_search.h); 0: none
-  LinkFrames frames = {};               // those that were found; empty: the model's
+  bool choose_forward_dynamics = true;  // by inertia matrix where that is faster; off: always articulated bodies
+  bool choose_frames = true;            // moved about and along joint axes, where that is cheaper (link_frames.h)
+  bool turn_inertia = true;             // rotate link inertias instead of motion vectors, where that is cheaper
+  bool choose_reverse_mode = true;      // for derivatives of programs, where that is cheaper; off: forward mode only
+  int effort = 0;                       // of the search for link frames (frame_search.h); 0: no search
+  LinkFrames frames = {};               // the frames that were found; empty: the model's
 
-  // For traces that are only compared: without names, and with the numbers of the model computed before (together with
-  // `frames` only).
+  // For traces that are only compared: names are left out, and the numbers of the model are precomputed (only together
+  // with `frames`).
   bool is_draft = false;
   std::shared_ptr<const LinkNumbers> numbers = nullptr;
 
-  // For programs whose congruent limbs are to share lanes: their representative numbers; not for drafts.
+  // For programs whose congruent limbs are to share lanes: the representative numbers of the limbs. Not for drafts.
   RepresentativeLinks representative = {};
 };
 
-// Chooses nothing: the algorithms of the textbook in the frames of the model, the reference for all others.
+// All choices off: the textbook algorithms in the frames of the model, the reference for all other formulations.
 Formulation plain_formulation();
 
 symbolic::DerivativeMode derivative_mode(const Formulation& formulation);

@@ -20,7 +20,7 @@ using model::Placement;
 using model::PrimitiveTransform;
 using model::Quantity;
 
-// What rounding leaves of a zero, as a share of the terms of the sum.
+// The rounding error of a sum that should be zero, relative to its terms.
 constexpr double kRounding = 1e-14;
 
 bool is_quarter_turn(const Quantity& angle) {
@@ -48,7 +48,7 @@ std::vector<PrimitiveTransform> primitives_of(
   return list;
 }
 
-// Quarter turns alone: exact whatever the translation is made of.
+// The split of a placement with quarter turns only: exact for any translation.
 AxisPlacement split_at_right_angle(const Placement& placement, std::size_t axis, bool opposite) {
   std::array<Quantity, 3> rest = placement.translation;
   const Quantity along = opposite ? -rest[axis] : rest[axis];
@@ -56,8 +56,8 @@ AxisPlacement split_at_right_angle(const Placement& placement, std::size_t axis,
   return {primitives_of(rest, placement.rotation), along};
 }
 
-// The general case in numbers: with z = R e_z and x the common normal, R = Rz(gamma) Rx(alpha) Rz(theta) and
-// p = epsilon e_z + a x + d z (Khalil, Kleinfinger 1986, for trees).
+// The split in the general case, in numbers: with z = R e_z and x the common normal, R = Rz(gamma) Rx(alpha) Rz(theta)
+// and p = epsilon e_z + a x + d z (Khalil, Kleinfinger 1986, for trees).
 AxisPlacement split_numerically(const Placement& placement, const std::array<std::array<double, 3>, 3>& r) {
   std::array<double, 3> p{};
   double size = 0.0;
@@ -82,8 +82,8 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
   const auto length = [&](double value) {
     return std::abs(value) <= kRounding * size / sine ? Quantity() : Quantity(value);
   };
-  // Exact where it is a right angle but for the rounding here: turns by those are free. Numbers of the model that are
-  // only near one stay what they are.
+  // A multiple of 90 degrees up to the rounding of this function becomes exact, because such turns are free. Angles of
+  // the model that are only close to one are kept.
   const auto angle = [](double value) {
     constexpr double kQuarter = std::numbers::pi / 2, kRoundingOfQuarter = 4.5e-16;
     const double quarters = std::round(value / kQuarter);
@@ -101,7 +101,8 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
   return result;
 }
 
-// Whether the path over the foot of the common normal is much longer than the placement's own offset: its parts cancel.
+// Whether the path over the foot of the common normal is much longer than the placement's own offset, so that its parts
+// cancel.
 bool is_detour(const AxisPlacement& split, const Placement& placement) {
   constexpr double kMost = 4.0;
   const auto magnitude = [](const Quantity& q) { return std::abs(q.number().value()); };
@@ -116,7 +117,7 @@ bool is_detour(const AxisPlacement& split, const Placement& placement) {
 Pose turned(const PlaneRotation& rho, const Pose& pose) {
   Pose result = pose;
   result.offset = to_parent(Rotation{{}, {rho}}, pose.offset);
-  // Behind the quarter turns Q the turn is about Q' z.
+  // When it is moved behind the quarter turns Q, the turn is about Q' z.
   const QuarterTurns back = inverse(pose.rotation.quarter);
   PlaneRotation moved = rho;
   for (int i = 0; i < 3; ++i) {
@@ -140,13 +141,13 @@ Pose turned(const PlaneRotation& rho, const Pose& pose) {
   return result;
 }
 
-// What is left of zeros after turns by any angle.
+// Removes the rounding errors that are left of zeros after turns by any angle.
 void drop_rounding(Vector3& v, double scale) {
   for (Expression& e : v.element)
     if (e.is_constant() && std::abs(e.number().value()) <= kRounding * scale) e = Expression();
 }
 
-// Makes the slide part of the offset where that leaves fewer numbers.
+// Makes the slide part of the offset if that leaves fewer numbers.
 void join_slide(Pose& pose, double scale) {
   const auto count = [](const Vector3& v) {
     return std::count_if(v.element.begin(), v.element.end(), [](const Expression& e) { return !e.is_zero(); });
@@ -222,7 +223,7 @@ class LinkFrameBuilder {
     return list;
   }
 
-  // Of a spherical joint, by its first component.
+  // The rotation of a spherical joint, given its first component.
   PrimitiveTransform quaternion_of(int joint) const {
     const model::ElementaryMotion turn = model::spherical_motion(trace_.tree, joint);
     return {turn.rotation, turn.axis, turn.amount, turn.quaternion};

@@ -1,8 +1,8 @@
-// Frames that the recursions compute in, where those of the model cost more.
+// Link frames that the recursions compute in where the frames of the model would cost more.
 //
-// A link's frame may turn about, and slide along, the axis of its joint: the joint forces stay the same. And it need
-// not turn with the joint: then the mass properties of the link turn instead of the vectors of the recursion, 2 to 9
-// products for 20, and chains of parallel axes are computed in one frame.
+// The frame of a link may be turned about the axis of its joint and moved along it: the joint forces stay the same. It
+// also need not turn with the joint. Then the mass properties of the link are rotated instead of the vectors of the
+// recursion, which takes 2 to 9 products instead of 20, and chains of parallel axes are computed in one frame.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace robcogen::algorithm {
 
-// Where the recursions see a link: the frame of the model turned by `turn` (rad) about its z axis and moved by `slide`
-// (m) along it. Both are constants, or depend on parameters alone.
+// The frame of a link in the recursions: the frame of the model, turned by `turn` (rad) about its z axis and moved by
+// `slide` (m) along it. Both are constants or depend on parameters alone.
 struct LinkFrame {
   model::Quantity turn;
   model::Quantity slide;
@@ -34,22 +34,22 @@ struct FramedLinks {
   std::vector<Pose> frames_of_model;   // by link: the model's link frame in the frame of the recursions
 };
 
-// Axes that are tilted by less (rad) are parallel but for the digits that documents write of PI.
+// Axes that are inclined by less (rad) count as parallel, because models give PI with few digits.
 inline constexpr double kParallel = 1e-5;
 
 // A joint's placement, split where its axis is not parallel to that of the parent: the part up to the foot of the
-// common normal on the joint's axis, and the rest along that axis, which commutes with the joint's own motion. Not
-// split where the foot is so far away that the detour would lose digits.
+// common normal on the joint's axis, and the rest along that axis, which commutes with the joint's own motion. It is
+// not split if the foot is so far away that the detour would lose digits.
 struct AxisPlacement {
   std::vector<model::PrimitiveTransform> to_axis;
   model::Quantity along;
 };
 AxisPlacement axis_placement(const model::Placement& placement);
-// By joint.
+// The placement of each joint.
 std::vector<AxisPlacement> axis_placements(const model::KinematicTree& tree);
 
-// `masses` are in the frames of the model. The numbers that are found fold as the representative ones do, if those are
-// given.
+// The robot in the given frames. `masses` are in the frames of the model. The resulting numbers fold as those of
+// `representative`, if these are given.
 FramedLinks in_frames(
     Trace& trace,
     const LinkFrames& frames,
@@ -58,7 +58,7 @@ FramedLinks in_frames(
     const std::vector<MassProperties>& masses,
     const RepresentativeLinks& representative = {});
 
-// One line: which links are seen in which frames; empty when all are in the model's.
+// Says in one line which links are computed in which frames; empty if all are in those of the model.
 std::string description(const model::KinematicTree& tree, const LinkFrames& frames);
 
 // The mass properties of a link in numbers.
@@ -71,7 +71,7 @@ struct MassNumbers {
 // The numbers that many traces of one robot take from its model, computed once.
 struct LinkNumbers {
   std::vector<AxisPlacement> placements;  // by joint
-  std::vector<MassNumbers> masses;        // by link, in the frames of the model; those that matter
+  std::vector<MassNumbers> masses;        // by link, in the frames of the model; base parameters if these are used
 };
 
 }  // namespace robcogen::algorithm

@@ -11,7 +11,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // is typical: a number stays what it is
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // no representative: the number is kept
 
 template <class AnyPose>
 auto elements_of_pose(AnyPose& pose) {
@@ -26,7 +26,7 @@ auto elements_of_mass(AnyMass& mass) {
                     &S[1][0],   &S[1][1], &S[1][2], &S[2][0], &S[2][1], &S[2][2]};
 }
 
-// The number in one place of each limb; nullopt where that is not a number.
+// The number at one place of each limb; nullopt if the expression there is not constant.
 using Numbers = std::vector<std::optional<double>>;
 
 std::optional<double> number_of(const Expression& e) {
@@ -37,7 +37,7 @@ bool are_numbers(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.has_value(); });
 }
 
-// Whether one of them folds where another does not.
+// Whether some of the numbers fold and others do not.
 bool fold_differently(const Numbers& numbers) {
   if (!are_numbers(numbers)) return false;
   const auto some_but_not_all = [&](double magnitude) {
@@ -48,8 +48,8 @@ bool fold_differently(const Numbers& numbers) {
   return some_but_not_all(0.0) || some_but_not_all(1.0);
 }
 
-// A mean of magnitudes, in which no two limbs weigh the same: what is equal in all limbs stays equal, and hardly
-// anything else becomes so.
+// A mean of the magnitudes with a different weight for each limb: places that are equal in all limbs stay equal, and
+// other places hardly ever become equal.
 double typical_magnitude(const Numbers& numbers) {
   double sum = 0.0, weights = 0.0, weight = 1.0;
   for (const auto& n : numbers) {
@@ -60,7 +60,7 @@ double typical_magnitude(const Numbers& numbers) {
   return sum / weights;
 }
 
-// Of each limb.
+// The representative number of each limb; kNothing if all have the same magnitude or some are not constant.
 std::vector<double> typical_numbers(const Numbers& numbers) {
   std::vector<double> result(numbers.size(), kNothing);
   if (!are_numbers(numbers)) return result;
@@ -70,7 +70,7 @@ std::vector<double> typical_numbers(const Numbers& numbers) {
   return result;
 }
 
-// Of all places of corresponding links; the first index is that of the place.
+// The numbers at all places of corresponding links, by place.
 std::vector<Numbers> numbers_of(
     const model::KinematicTree& tree,
     const std::vector<int>& joints,
@@ -89,7 +89,8 @@ std::vector<Numbers> numbers_of(
   return places;
 }
 
-// The plane rotations of corresponding joints, side by side: of each limb the index, -1 where it does not have it.
+// The plane rotations of corresponding joints, aligned: for each rotation its index in each limb, or -1 if the limb
+// lacks it.
 using AlignedPlanes = std::vector<std::vector<int>>;
 
 bool are_alike(const PlaneRotation& a, const PlaneRotation& b) {
@@ -100,8 +101,8 @@ bool is_constant(const PlaneRotation& plane) {
   return !plane.matrix && plane.c.is_constant() && plane.s.is_constant();
 }
 
-// The rotation with a first plane that turns by less: by nearly a multiple of 90 degrees is by that multiple, which is
-// free, and by the rest.
+// Reduces the angle of the first plane rotation: if it is nearly a multiple of 90 degrees, that multiple becomes
+// quarter turns, which are free, and the small rest remains.
 Rotation with_small_turn(const Rotation& r) {
   constexpr double kSmall = 1e-5;  // rad
   if (r.planes.empty() || !is_constant(r.planes.front())) return r;
@@ -114,7 +115,7 @@ Rotation with_small_turn(const Rotation& r) {
   return result;
 }
 
-// Of these rotations, where all are the longest one without some of its constant planes; else empty.
+// Aligns these rotations if each is the longest one without some of its constant planes; otherwise empty.
 AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
   const auto longest = std::max_element(rotations.begin(), rotations.end(), [](const Rotation& a, const Rotation& b) {
     return a.planes.size() < b.planes.size();
@@ -134,7 +135,7 @@ AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
   return result;
 }
 
-// Of each limb; empty where all have the same planes.
+// The representative plane rotations of each limb; empty if all limbs have the same ones.
 std::vector<std::vector<RepresentativePlane>> representative_planes(const std::vector<Rotation>& rotations) {
   const AlignedPlanes planes = aligned(rotations);
   const auto is_missing = [](const std::vector<int>& of_limbs) {
@@ -162,7 +163,8 @@ void fold_like(Trace& trace, double typical, Expression& e) {
   if (std::isfinite(typical)) e = trace.graph.constant(e.constant().folded_as(typical));
 }
 
-// Unchanged where its planes are not those of the limb: a joint that stands at zero turns by nothing.
+// Makes a rotation fold as the representative one. It stays unchanged if its plane rotations are not those of the limb:
+// a joint at zero, for example, has none.
 void fold_like(Trace& trace, const std::vector<RepresentativePlane>& representative, Rotation& rotation) {
   if (representative.empty()) return;
   const Rotation own = with_small_turn(rotation);

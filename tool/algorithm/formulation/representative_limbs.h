@@ -1,9 +1,9 @@
 // Congruent limbs whose numbers fold in the same way.
 //
-// A centre of mass may be on the axis in one leg, a millimetre beside it in the others: zeros and ones of single limbs
-// fold while a program is traced, and limbs that could share the lanes of vectors compute by programs of different
-// shape. Where the numbers that the recursions see carry a representative number of their class (symbolic::Constant),
-// only those zeros and ones fold that all its limbs have.
+// A centre of mass may be on the axis in one leg and a millimetre off it in the others. Zeros and ones of single limbs
+// fold while a program is traced, so that limbs that could share the lanes of vectors get programs of different shape.
+// If the numbers of the recursions carry a representative number of their class (symbolic::Constant), only the zeros
+// and ones that all limbs of the class have fold.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace robcogen::algorithm {
 
-// A plane rotation that the pose of some limb has: by a constant angle, or not (then nothing is representative). In
-// limbs without it, it turns by nothing.
+// A plane rotation that the pose of some limb has, by a constant angle or not (then it has no representative numbers).
+// In limbs that lack it, it is the identity.
 struct RepresentativePlane {
   int axis = 2;
   bool is_constant = false;
@@ -25,14 +25,15 @@ struct RepresentativePlane {
 // The representative numbers of a pose and of mass properties in the limbs of a class, with the signs of this limb.
 struct RepresentativeLink {
   std::array<double, 4> pose;               // offset, slide
-  std::vector<RepresentativePlane> planes;  // of the rotation; empty: as they are
+  std::vector<RepresentativePlane> planes;  // of the rotation; empty: kept as they are
   std::array<double, 13> mass;              // mass, first moment, pseudo-inertia
 };
 
-// By joint: of its child. Empty: no limb differs from others of its class in what folds.
+// By joint, for its child. Empty if no limb folds differently from others of its class.
 using RepresentativeLinks = std::vector<RepresentativeLink>;
 
-// Of congruent limbs that can share lanes; their poses and masses, by joint, are constants.
+// The representative numbers of congruent limbs that can share lanes. `poses` are by joint, `masses` by link; those of
+// the limbs are constants.
 RepresentativeLinks representative_links(
     const model::KinematicTree& tree,
     const std::vector<Pose>& poses,

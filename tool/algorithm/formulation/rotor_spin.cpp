@@ -25,7 +25,7 @@ double length(const Vector& v) {
   return std::hypot(evaluate(v[0]), evaluate(v[1]), evaluate(v[2]));
 }
 
-// Components that are rounding of this length are none.
+// Removes components that are rounding errors of a vector of this length.
 void drop_rounding(Vector& v, double of) {
   constexpr double kNoComponent = 1e-15;
   for (Quantity& component : v)
@@ -36,7 +36,7 @@ auto components_of(const Vector& v) {
   return std::count_if(v.begin(), v.end(), [](const Quantity& q) { return !q.is_zero(); });
 }
 
-// In axes of the carrier.
+// The momentum of a rotor as c e + b, in axes of the carrier.
 struct Split {
   Quantity along;  // c
   Vector rest;     // b
@@ -49,10 +49,10 @@ Split split(const Vector& momentum, const Vector& axis, const Quantity& along) {
   return result;
 }
 
-// Without a component along the joint's axis, or along the z axis of the carrier: that stays where frames turn about
-// their joints. Nothing along the axis where neither saves a component.
+// Leaves no component of the rest along the joint's axis, or along the z axis of the carrier, which stays where it is
+// when frames turn about their joints. Takes nothing along the axis if neither saves a component.
 Split split(const Vector& momentum, const Vector& axis) {
-  constexpr double kSmall = 0.2;  // an axis less inclined to z would make the numbers larger
+  constexpr double kSmall = 0.2;  // an axis with a smaller z component would make the numbers larger
   Split best = split(momentum, axis, Quantity());
   const auto take_better = [&](Quantity along) {
     Split other = split(momentum, axis, along);
@@ -66,7 +66,7 @@ Split split(const Vector& momentum, const Vector& axis) {
   return best;
 }
 
-// Adds a moment of inertia about an axis, in link axes.
+// Adds a moment of inertia about an axis that is given in link axes.
 void add_spin(model::Link& link, const Quantity& inertia, Vector axis) {
   model::Inertia& body = *link.inertia;
   if (body.reference) {
@@ -90,7 +90,7 @@ void take_spin(KinematicTree& tree, model::Joint& joint) {
   const bool on_child = rotor.carrier == joint.child;
   const bool on_fixed_base = joint.parent == 0 && !tree.floating_base;
   model::Link &parent = tree.links[at(joint.parent)], &child = tree.links[at(joint.child)];
-  // On a fixed base it does not turn; a link without mass would get a body.
+  // A rotor on a fixed base does not turn with its carrier. A link without mass properties would get a body.
   if ((rotor.carrier != joint.parent || on_fixed_base) && !on_child) return;
   if (!child.inertia || (!on_fixed_base && !parent.inertia)) return;
   const auto R = rotation_matrix(joint.placement);

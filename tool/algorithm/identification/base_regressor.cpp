@@ -1,5 +1,5 @@
-// What a link's motions do not tell of its parameters goes to its parent, where it is as if it were fixed: so the base
-// parameters follow from the leaves to the base, and the regressor's columns are those of one parameter each.
+// The parameters of a link that its motions do not reveal move to its parent, as if the link were fixed to it. So the
+// base parameters follow from the leaves to the base, and each column of the regressor is that of a single parameter.
 #include "algorithm/identification/base_regressor.h"
 
 #include <fmt/format.h>
@@ -18,12 +18,12 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// Of a coefficient that documents would write as a decimal, its exact value.
+// The exact magnitude of a coefficient that documents would write as a decimal.
 Expression coefficient(Graph& graph, double value) {
   return graph.constant(*Number::parse(print_double(std::abs(value))));
 }
 
-// The base parameters of a link; what is left of the numbers is what is not felt.
+// Takes the base parameters of a link out of its numbers; the rest is not felt.
 std::vector<Expression> take(Graph& graph, const std::vector<Combination>& combinations, InertialNumbers& numbers) {
   std::vector<Expression> taken, others;
   for (const Combination& c : combinations) {
@@ -40,7 +40,7 @@ std::vector<Expression> take(Graph& graph, const std::vector<Combination>& combi
   return taken;
 }
 
-// Of a document without parameters, or with these values: by base parameter, its coefficients.
+// The coefficients of each base parameter, for a document without parameters or with these values of its parameters.
 std::vector<std::vector<double>> coefficients(const Program& program, const std::vector<double>& values) {
   const auto inputs = static_cast<std::size_t>(program.inputs.back().elements.size());
   std::vector<std::vector<double>> rows(at(program.outputs.front().rows), std::vector<double>(inputs));
@@ -55,10 +55,10 @@ std::vector<std::vector<double>> coefficients(const Program& program, const std:
   return rows;
 }
 
-// Numbers that are rounding beside the others of their kind are left out.
+// Entries that are rounding noise compared with the others of their kind are dropped.
 constexpr double kNothing = 1e-12;
 
-// `2 a - b`; a coefficient that is another one for other values of the document's parameters is left open.
+// A sum as text: `2 a - b`. A coefficient that depends on the document's parameters is left open.
 std::string sum_of(
     const std::vector<std::string>& names,
     const std::vector<double>& row,

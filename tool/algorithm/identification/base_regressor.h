@@ -14,7 +14,7 @@ namespace robcogen::algorithm {
 // of the document.
 std::vector<std::string> base_parameter_names(const model::KinematicTree& tree, Loads loads);
 
-// inertial_parameters -> beta: of the links that move, about their origins.
+// inertial_parameters (of the links that move, about their origins) -> beta.
 symbolic::Program base_parameters(const model::KinematicTree& tree, const std::string& name, Loads loads);
 
 // q, qd, qdd [, base_velocity, base_acceleration] [, gravity] -> Y, columns of the regressor, so that Y times the base

@@ -46,7 +46,7 @@ class RotorColumns {
   }
 
  private:
-  // How a link turns per unit of a row's motion.
+  // The angular velocity of a link per unit of a row's motion.
   struct UnitTurn {
     int row;
     Vector3 axis;

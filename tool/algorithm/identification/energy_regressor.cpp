@@ -10,7 +10,7 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// What of gravity a link sees: in its axes, and minus the potential of its origin per unit of mass.
+// Gravity for a link: in link axes, and as minus the potential of its origin per unit of mass.
 struct Lift {
   Vector3 gravity;
   Expression height;
@@ -24,7 +24,7 @@ Lift to_child(const Pose& X_PC, const Lift& parent) {
   return child;
 }
 
-// m v v / 2 + h (v x w) + w I w / 2.
+// The coefficients of m v v / 2 + h (v x w) + w I w / 2.
 std::array<Expression, kParametersOfLink> kinetic(const Motion& twist) {
   const Vector3 &w = twist.angular, &v = twist.linear;
   const Vector3 moment = cross(v, w);

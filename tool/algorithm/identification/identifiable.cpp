@@ -9,10 +9,10 @@
 namespace robcogen::algorithm {
 namespace {
 
-// Directions that differ by less, of vectors of unit size with lengths of the robot's size, are the same.
+// Directions that differ by less are the same; vectors have unit size, with lengths in units of the robot's size.
 constexpr double kSame = 1e-9;
 
-// The orthonormal basis of what vectors span.
+// An orthonormal basis of the space that vectors span.
 template <std::size_t n>
 class Span {
  public:
@@ -20,7 +20,7 @@ class Span {
 
   const std::vector<Vector>& basis() const { return basis_; }
 
-  // False where the span holds it already.
+  // False if the span contains the vector already.
   bool add(Vector v) {
     if (!normalise(v, kSame)) return false;
     for (int pass = 0; pass < 2; ++pass)
@@ -37,7 +37,7 @@ class Span {
     for (const Vector& v : other.basis_) add(v);
   }
 
-  // With all that these maps make of it, again and again.
+  // Extends the span until these maps do not lead out of it.
   template <class Map>
   void close(const std::vector<Map>& maps) {
     for (std::size_t i = 0; i < basis_.size(); ++i)
@@ -92,7 +92,7 @@ Parameters parameters_of(const Matrix4& J) {
   return {J[3][3], J[0][3], J[1][3], J[2][3], J[0][0], J[1][1], J[2][2], J[0][1], J[0][2], J[1][2]};
 }
 
-// What a linear function becomes when the parameters go through this map first.
+// A linear function of parameters that go through this map first.
 template <class Map>
 Parameters through(const Parameters& function, const Map& map) {
   Parameters result{};
@@ -105,7 +105,7 @@ Parameters through(const Parameters& function, const Map& map) {
   return result;
 }
 
-// The power of one motion against the other: trace of a J b'.
+// The power of one motion against the other, as a function of the parameters: trace of a J b'.
 Parameters felt(const Twist& a, const Twist& b) {
   const Matrix4 left = hat(a), right = transposed(hat(b));
   Parameters result{};
@@ -150,7 +150,7 @@ double unit_of_length(const model::KinematicTree& tree, const std::vector<double
   return largest > 0 ? largest : 1;
 }
 
-// The motion subspace of a joint as numbers: three of a spherical joint, by any of its components.
+// The motion subspace of a joint as numbers; three twists for a spherical joint, given any of its components.
 std::vector<Twist> twists_of(
     const model::KinematicTree& tree,
     int joint,
@@ -170,18 +170,19 @@ std::vector<Twist> twists_of(
   return {{0, 0, 1, 0, 0, 0}};
 }
 
-// What a link passes on: motions that it may have, functions that are felt, and those that must not change.
+// What a link passes on to its children: the motions that it may have, the functions that are felt, and those that must
+// not change.
 struct FeltLink {
   Twists motions;
   Functions felt, unchanged;
 };
 
-// A base that moves in no way, or in all.
+// A base that is fixed, or that can move in all ways.
 FeltLink felt_by_base(bool floating, Loads loads) {
   FeltLink base;
   for (std::size_t k = 0; k < 6; ++k)
     if (Twist unit{}; floating) unit[k] = 1, base.motions.add(unit);
-  // Gravity acts as a base that accelerates.
+  // Gravity acts like an acceleration of the base.
   for (std::size_t axis = loads == Loads::standard_gravity ? 5 : 3; !floating && axis < 6; ++axis) {
     Twist unit{};
     unit[axis] = 1;
@@ -209,7 +210,7 @@ struct ChangeOfTwist {
   }
 };
 
-// How a function of the parameters of what moves changes.
+// How a function of the parameters of the moving links changes.
 struct ChangeOfFunction {
   Matrix4 rate;
 
@@ -238,7 +239,7 @@ FeltLink felt_by_child(const FeltLink& parent, const Matrix4& pose, const std::v
   for (const Twist& S : subspace) child.motions.add(S);
   for (const Twist& S : subspace)
     for (const Twist& motion : child.motions.basis()) child.felt.add(felt(S, motion));
-  // As functions of the child's parameters, and how they change when the joint moves.
+  // The parent's functions as functions of the child's parameters, and their changes when the joint moves.
   const auto at_rest = [&](const Matrix4& J) { return pose * J * transposed(pose); };
   Functions carried, changes;
   for (const Parameters& f : parent.unchanged.basis()) carried.add(through(f, at_rest));
@@ -251,8 +252,9 @@ FeltLink felt_by_child(const FeltLink& parent, const Matrix4& pose, const std::v
   return child;
 }
 
-// As combinations with one parameter each to themselves: of a revolute joint's link h_x, h_y, S_xx, S_yy, S_xy, S_xz
-// and S_yz, of a prismatic joint's the mass and the first moment, as far as there are that many.
+// The functions as combinations, each with one parameter that no other has: for the link of a revolute joint h_x, h_y,
+// S_xx, S_yy, S_xy, S_xz and S_yz, for that of a prismatic joint the mass and the first moment, as far as there are
+// that many.
 std::vector<Combination> reduced(const Functions& felt, double unit) {
   constexpr std::array<std::size_t, kParametersOfLink> kPreferred = {1, 2, 4, 5, 7, 8, 9, 3, 0, 6};
   constexpr std::array<int, kParametersOfLink> kLengths = {0, 1, 1, 1, 2, 2, 2, 2, 2, 2};
@@ -315,7 +317,7 @@ bool are_equal(const std::vector<Combination>& a, const std::vector<Combination>
   });
 }
 
-// All that a link may be felt of, as if all motions were possible below.
+// All that may be felt of a link, as if all motions were possible below it.
 std::vector<Combination> most_of(const model::KinematicTree& tree, int link) {
   const int joint = tree.links[at(link)].parent_joint;
   const FeltLink any = felt_by_base(true, Loads::gravity);

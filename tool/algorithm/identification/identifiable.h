@@ -1,9 +1,9 @@
-// Which combinations of inertial parameters a robot's motions can tell apart.
+// The combinations of inertial parameters that a robot's motions can tell apart.
 //
 // Forces depend on the parameters of a link, and of all beyond it, only in the combinations that a joint below feels:
-// the power of a motion that is possible against the change of another. Seen from a link, these are linear functions of
-// ten numbers; those that must not change when the joint moves follow by differentiation, and so on from the base to
-// the leaves: no sample of states, and no rank of a large matrix, is needed. The count is minimal where joints are not
+// the power of a possible motion against the change of another. Seen from a link, these are linear functions of ten
+// numbers; those that must not change when the joint moves follow by differentiation, and so on from the base to the
+// leaves: no sample of states, and no rank of a large matrix, is needed. The count is minimal where joints are not
 // coupled. (The idea of Wensing, Niemeyer and Slotine 2017; rules for the same: Khalil and Bennis 1995.)
 #pragma once
 
@@ -22,9 +22,9 @@ struct Combination {
   std::array<double, kParametersOfLink> coefficients{};
 };
 
-// By link, what is felt of it and of what the links beyond have left: empty for a fixed base. Standard gravity is along
-// the z axis of a fixed base; as an input it has any direction. Where the answer depends on the values of parameters of
-// the document, all that may be felt.
+// By link, the combinations that are felt of its parameters and of those that the links beyond leave to it; empty for a
+// fixed base. Standard gravity is along the z axis of a fixed base; as an input it has any direction. If the answer
+// depends on the values of parameters of the document, it has all that may be felt.
 std::vector<std::vector<Combination>> identifiable_combinations(const model::KinematicTree& tree, Loads loads);
 
 }  // namespace robcogen::algorithm

@@ -23,8 +23,8 @@ Vector3 times_u(const ReferenceMotion& motion, const Vector3& p) {
   return result;
 }
 
-// By the three components of a spherical joint, about axes of the child. The reference turns with the child: its rate
-// of change is that of numbers in axes of the child, and w x r.
+// Adds the motion of the three components of a spherical joint, about axes of the child. The reference turns with the
+// child: its rate of change is that of its components in axes of the child, plus w x r.
 void turn(ReferenceMotion& child, const ReferenceRate* components, bool parent_is_actual) {
   Vector3 w, r, rd;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -95,7 +95,7 @@ VelocityChange::VelocityChange(const ReferenceMotion& motion) : a_(motion.a), ax
     for (std::size_t i = 0; i < 3; ++i) products_[i] = w[(i + 1) % 3] * w[(i + 2) % 3];
     return;
   }
-  // w r' is not symmetric: half of what it is more than its transpose turns.
+  // w r' is not symmetric: half of its difference from its transpose goes to the axis.
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const Expression jk = w[j] * (0.5 * r[k]), kj = w[k] * (0.5 * r[j]);

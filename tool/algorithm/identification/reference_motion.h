@@ -1,9 +1,9 @@
-// The motion of a link as regressors see it: how the velocities of its particles change.
+// The motion of a link as regressors use it: how the velocities of its particles change.
 //
 // A reference velocity field r x p + v_r of a link that turns by w changes, in axes at rest, by a + U p with
 // U = [rd]x + w r' - (w . r) 1; where the reference is the velocity itself, that is the acceleration of particle p
-// (link_motion.h). What a field takes, f = U h + m a and n = (axial vector of U S) + h x a, is linear in the mass
-// properties (m, h, S) (Atkeson, An, Hollerbach 1986; Slotine and Li 1987).
+// (link_motion.h). The wrench that a field takes, f = U h + m a and n = (axial vector of U S) + h x a, is linear in the
+// mass properties (m, h, S) (Atkeson, An, Hollerbach 1986; Slotine and Li 1987).
 #pragma once
 
 #include <string>
@@ -21,18 +21,18 @@ struct ReferenceMotion {
   Vector3 a;   // rate of change of the reference velocity of the link's origin, minus gravity
 };
 
-// Of a base: its twist, the reference twist and how that changes in base coordinates.
+// The motion of a base, from its twist, the reference twist and the change of that in base coordinates.
 ReferenceMotion base_motion(
     const Motion& velocity,
     const Motion& reference,
     const Motion& acceleration,
     const Vector3& gravity);
 
-// The rate of a joint, and of its reference motion.
+// The rate of a joint, and the rate and acceleration of its reference motion.
 struct ReferenceRate {
   Expression qd, reference, acceleration;
 };
-// `rates` by joint. Of the components of a spherical joint the first one moves the child for all.
+// `rates` by joint. The first component of a spherical joint moves the child for all three.
 ReferenceMotion across_joint(
     Graph& graph,
     const Joint& joint,
@@ -47,7 +47,7 @@ class VelocityChange {
 
   const Vector3& a() const { return a_; }
   const Vector3& axis() const { return axis_; }
-  // Of P: an element off the diagonal, and the difference of two on it.
+  // An element of P off the diagonal, and the difference of two on it.
   const Expression& product(std::size_t row, std::size_t column) const { return products_[3 - row - column]; }
   Expression difference(std::size_t row, std::size_t other) const { return squares_[row] - squares_[other]; }
   Expression u(std::size_t row, std::size_t column) const;
@@ -58,7 +58,7 @@ class VelocityChange {
   Vector3 squares_;   // of each component
 };
 
-// Names the motion and describes what U is made of after the link.
+// Names the motion, and describes the parts of U, after the link.
 void name(Graph& graph, const ReferenceMotion& motion, const std::string& link);
 void describe(const VelocityChange& change, const std::string& link);
 

@@ -1,9 +1,9 @@
-// The wrench of a link is linear in its inertial parameters, and what a joint below feels of it is its power along the
-// motion that the joint gives the link: so the unit motions of joints are carried down to each link, two vectors a pair
-// of joint and link, in place of ten wrenches up.
+// The wrench of a link is linear in its inertial parameters, and a joint below feels its power along the motion that
+// the joint gives the link. So the unit motions of joints are passed down to each link, two vectors per pair of joint
+// and link, instead of ten wrenches up.
 //
-// Matter that does not move with its joint could as well belong to the parent: where that costs less, its column is
-// made of columns of the parent.
+// Matter that does not move with its joint could as well belong to the parent: if that costs less, its column is
+// computed from columns of the parent.
 #include "algorithm/identification/regressor.h"
 
 #include "algorithm/identification/reference_motion.h"
@@ -24,7 +24,7 @@ struct Place {
 
 using Entries = std::array<Expression, kParametersOfLink>;
 
-// What a unit motion of a link feels of the wrench that each of its inertial parameters takes.
+// The power along a unit motion of a link of the wrench that each of its inertial parameters takes.
 class EntriesOfLink {
  public:
   EntriesOfLink(const VelocityChange& change, Moments moments) : change_(change), moments_(moments) {}
@@ -81,7 +81,7 @@ class EntriesOfLink {
     return s[j].is_zero() ? result : result - s[j] * change_.u(k, i);
   }
 
-  // Of the product of inertia of axes i and j, which follows i.
+  // The entry of the product of inertia of axes i and j, where j follows i.
   Expression of_product(std::size_t i, std::size_t j, const Vector3& s) const {
     const std::size_t k = 3 - i - j;
     Expression result;
@@ -91,11 +91,11 @@ class EntriesOfLink {
   }
 };
 
-// ---- What could belong to the parent.
+// ---- Parameters that could belong to the parent.
 
-// Sums of inertial parameters of the child whose matter does not move with the joint, but with the parent: of a rod on
-// the axis of a revolute joint, a point at the centre of a spherical one, or all inertia of what only slides. The last
-// one of a sum follows from the others.
+// Sums of inertial parameters of the child whose matter does not move with the joint, but with the parent: a rod on the
+// axis of a revolute joint, a point at the centre of a spherical one, or all inertia of a link that only slides. The
+// last one of a sum follows from the others.
 std::vector<std::vector<std::size_t>> carried_by_parent(model::JointType type, Moments moments) {
   switch (type) {
     case model::JointType::revolute:
@@ -144,7 +144,7 @@ class RegressorBuilder {
   }
 
  private:
-  // Of the joint or of the base, that this row is about.
+  // The unit motion of the joint or of the base that a row belongs to.
   struct UnitMotion {
     int row;
     Motion motion;
@@ -199,7 +199,7 @@ class RegressorBuilder {
     const std::size_t first = at(kParametersOfLink * (link - first_moving_link(robot_.tree())));
     LinkColumns& own = columns[at(link)];
     own.fill(RegressorColumn(at(rows_)));
-    // The joint's own rows are as short as can be, and the parent has none.
+    // The rows of the link's own joint are as short as can be, and the parent has no such rows.
     const std::size_t own_rows = robot_.is_base(link) ? 0 : robot_.parent_joint(link).is_spherical() ? 3 : 1;
     for (const UnitMotion& unit : units) {
       const bool is_own = &unit >= units.data() + units.size() - own_rows;
@@ -212,7 +212,7 @@ class RegressorBuilder {
     }
   }
 
-  // Of a spherical joint the first component.
+  // The joint that carries a link; for a spherical joint its first component.
   int joint_below(int link) const {
     return robot_.tree().first_component_of(robot_.tree().links[at(link)].parent_joint);
   }

@@ -14,7 +14,7 @@
 namespace robcogen::algorithm {
 
 // q, qd, qdd [, base_velocity, base_acceleration] -> Y. Y times the inertial parameters are the forces (base wrench,
-// tau) of inverse dynamics, fully actuated, but for what drives add.
+// tau) of inverse dynamics, fully actuated, without the contribution of drives.
 symbolic::Program regressor(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -30,8 +30,8 @@ symbolic::Program slotine_li_regressor(
     Loads loads,
     const RepresentativeLinks& representative = {});
 
-// q, qd [, base_velocity] -> Y, two rows: Y times the inertial parameters is (kinetic energy, potential energy), but
-// for what drives add (Gautier and Khalil 1988).
+// q, qd [, base_velocity] -> Y, two rows: Y times the inertial parameters is (kinetic energy, potential energy),
+// without the contribution of drives (Gautier and Khalil 1988).
 symbolic::Program energy_regressor(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -42,7 +42,7 @@ symbolic::Program energy_regressor(
 using RegressorColumn = std::vector<Expression>;
 using LinkColumns = std::array<RegressorColumn, kParametersOfLink>;
 
-// Of inverse dynamics: by link, empty for a fixed base. Declares the inputs of `regressor`.
+// The columns of inverse dynamics, by link; empty for a fixed base. Declares the inputs of `regressor`.
 std::vector<LinkColumns> regressor_columns(
     Trace& trace,
     Loads loads,

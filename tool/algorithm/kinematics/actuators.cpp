@@ -27,7 +27,7 @@ class TracedActuators {
  public:
   TracedActuators(Trace& trace, const std::vector<Expression>& q) : trace_(trace), q_(q) {}
 
-  // Appends to both: an element an actuator. Lever arms are made where `arms` is not nullptr.
+  // Appends one element per actuator to both lists. Lever arms are computed if `arms` is not nullptr.
   void add(const model::Actuator& actuator, std::vector<Expression>& lengths, std::vector<LeverArms>* arms) {
     trace_.section(actuator.name, "actuator " + actuator.name);
     const model::FramePair frames = frames_of(trace_.tree, actuator);
@@ -48,7 +48,7 @@ class TracedActuators {
   Trace& trace_;
   const std::vector<Expression>& q_;
 
-  // In the frame of the joint one end is fixed and the other one turns: l^2 = A + B cos q + C sin q.
+  // In the frame of the joint, one end is fixed and the other one turns: l^2 = A + B cos q + C sin q.
   Expression about_one_axis(const model::FramePair& frames, const JointOnPath& passed, LeverArms* arms) {
     const int joint = passed.joint, child = trace_.tree.joints[at(joint)].child;
     const model::FramePair ends = passed.backward ? model::FramePair{frames.right, frames.left} : frames;
@@ -85,7 +85,7 @@ class TracedActuators {
     return {kind, index, model::implicit_frame_name(name)};
   }
 
-  // The origin of a frame that does not move in the other.
+  // The origin of `other` in `frame`, in which it does not move.
   Vector3 point_in(const Frame& frame, const Frame& other) {
     const Path path = path_between(trace_.tree, {frame, other});
     return walk(trace_, path, q_, [](const PathSegment&, const Reached&) {}).position;
@@ -160,7 +160,7 @@ Program actuator_torques(const model::KinematicTree& tree, const std::string& na
 
 namespace {
 
-// By actuator.
+// The coordinates that move each actuator.
 std::vector<std::vector<int>> coordinates_of_actuators(const model::KinematicTree& tree) {
   std::vector<std::vector<int>> result;
   for (const model::Actuator& actuator : tree.actuators)
@@ -179,7 +179,7 @@ bool drives_separate_coordinates(const model::KinematicTree& tree) {
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const std::vector<int>& own = coordinates[k];
     if (own.size() != 1 || !moved.insert(own.front()).second) return false;
-    // An end on the axis of its joint pushes nothing.
+    // An actuator with an end on the axis of its joint has no lever arm.
     if (by_coordinate(trace, arms[k])[at(own.front())].is_zero()) return false;
   }
   return true;

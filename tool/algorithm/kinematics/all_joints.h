@@ -8,8 +8,8 @@
 
 namespace robcogen::algorithm {
 
-// By joint, from an input, which has these other elements behind them. `tree`: that says which joints follow others;
-// the one that is traced may be another.
+// An input of all joints, returned by joint and followed by these other elements. `tree` says which joints follow
+// others; the tree that is traced may be a different one.
 std::vector<Expression> input_of_all_joints(
     Trace& trace,
     const model::KinematicTree& tree,

@@ -9,11 +9,11 @@
 
 namespace robcogen::algorithm {
 
-// The columns of the joints of a chain, in order, as geometric_jacobian has them.
+// The columns of the joints of a chain, in order, as in geometric_jacobian.
 struct ChainColumns {
   std::vector<int> joints;
   std::vector<Motion> columns;
-  Vector3 point;  // whose velocity the linear part is: the target's origin, or the target's point at the left origin
+  Vector3 point;  // whose velocity the linear part gives: the target's origin, or the target's point at the left origin
 };
 ChainColumns chain_columns(
     Trace& trace,
@@ -28,12 +28,12 @@ std::vector<Motion> columns_with_base(
     const model::FramePair& frames,
     JacobianReference reference = JacobianReference::in_left);
 
-// Their linear parts alone, for a left frame of the base: the velocity of a point of the robot by each coordinate. They
-// are made in the cheaper of two ways: axes and origins of the joints are placed in the base, or the columns are found
-// in axes of the joints and turned to the base by the joints in front of them.
+// The linear parts of these columns alone, for a left frame on the base: the velocity of a point of the robot by each
+// coordinate. The cheaper of two ways is used: axes and origins of the joints are expressed in the base, or the columns
+// are computed in axes of the joints and rotated to the base by the joints before them.
 std::vector<Vector3> point_columns(Trace& trace, const std::vector<Expression>& q, const model::FramePair& frames);
 
-// Column by column, angular rows first.
+// The elements of columns, column by column, angular rows first.
 std::vector<Expression> elements_of(const std::vector<Motion>& columns);
 
 }  // namespace robcogen::algorithm

@@ -13,20 +13,20 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// Left to right, for the derivative: a joint's motion subspace in axes of the left frame, and how the frame before it
-// moves.
+// A joint's motion subspace in axes of the left frame, and the motion of the frame before it; for the derivative, from
+// left to right.
 struct MovingSubspace {
   Motion S;
   Vector3 point;
   Vector3 w, velocity;  // of the frame, and of its point at `point`
 };
 
-// A joint's column of the Jacobian of a frame there.
+// A joint's column of the Jacobian of a frame at `position`.
 Motion column_of(const MovingSubspace& joint, const Vector3& position) {
   return {joint.S.angular, joint.S.linear + cross(joint.S.angular, position - joint.point)};
 }
 
-// J dG/dt: through loops, joints turn with others in a proportion that changes.
+// Adds J dG/dt: through loops, joints move with others in a proportion that changes.
 void add_changes_of_shares(
     Trace& trace,
     const std::vector<int>& joints,
@@ -112,7 +112,8 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
       joints.push_back(joint);
       own.push_back(in_axes(here.rotation, subspace(joint_of(trace, joint), trace.graph), backward));
     }
-    // Axes of a spherical joint turn with its child, which is the frame reached once it has turned, or until then.
+    // The axes of a spherical joint turn with its child. That is the frame after the joint or, if the joint is passed
+    // backward, the frame before it.
     const bool turn_with_reached = own.size() > 1 && !segment.joints.front().backward;
     const auto add_columns = [&] {
       for (const Motion& S : own) columns.push_back({S, last, w, velocity});

@@ -37,12 +37,12 @@ ChainColumns chain_columns(
     const std::vector<Expression>& q,
     const model::FramePair& frames,
     JacobianReference reference) {
-  // A joint's motion subspace in the axes that the Jacobian is in, and its origin.
+  // A joint's motion subspace in the axes of the Jacobian, and its origin.
   struct Column {
     Motion S;
     Vector3 point;
   };
-  // In axes of the target everything is seen from there, on the way back.
+  // For axes of the target, the path is walked backward from the target.
   const bool back = reference == JacobianReference::in_target;
   const Path path = path_between(trace.tree, back ? model::FramePair{frames.right, frames.left} : frames);
   std::vector<Column> columns;

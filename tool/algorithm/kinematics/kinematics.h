@@ -30,9 +30,9 @@ enum class JacobianReference {
   spatial,    // twist about the origin of `left`: velocity of the point of `right` that is there, in axes of `left`
 };
 
-// left_J_right, angular rows first: q -> J, 6 x k, one column for each joint of the chain, or each coordinate that
-// joints of it follow (Siciliano et al. 2009, ch. 3). A joint that the chain passes from child to parent moves the
-// other way.
+// left_J_right, angular rows first: q -> J, 6 x k, one column for each joint of the chain, or for each coordinate that
+// its joints follow (Siciliano et al. 2009, ch. 3). A joint that the chain passes from child to parent counts with the
+// opposite sign.
 symbolic::Program geometric_jacobian(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
@@ -46,8 +46,8 @@ symbolic::Program jacobian_with_base(
     const model::FramePair& frames,
     const std::string& name);
 
-// What is added to its product with (base acceleration, qdd) in the acceleration of `right`, angular first, in an
-// inertial frame, in axes of `left`: q, qd [, base_velocity] -> a.
+// The acceleration of `right`, angular first, in an inertial frame and in axes of `left`, minus the product of that
+// Jacobian with (base acceleration, qdd): q, qd [, base_velocity] -> a.
 symbolic::Program jacobian_with_base_bias(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
@@ -60,7 +60,7 @@ symbolic::Program jacobian_derivative(
     const std::string& name);
 
 // Jd qd of all joints of the chain: angular acceleration of `right` with respect to `left`, and acceleration of its
-// origin, where the joints do not accelerate; axes of `left`: q, qd -> a.
+// origin, if the joints do not accelerate, in axes of `left`: q, qd -> a.
 symbolic::Program jacobian_derivative_times_velocity(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
@@ -81,14 +81,14 @@ symbolic::Program frame_acceleration(
 // The coordinates that move the joints of the chain from left to right, in order: the columns of the Jacobian.
 std::vector<int> chain_coordinates(const model::KinematicTree& tree, const model::FramePair& frames);
 
-// Positions of all joints, coupled ones behind the others: q -> positions.
+// Positions of all joints, coupled ones after the others: q -> positions.
 symbolic::Program joint_positions(const model::KinematicTree& tree, const std::string& name);
 
-// Where q is after a second of constant velocities, of spherical joints too: q, qd -> positions, with quaternions of
-// unit length.
+// The positions after one second at constant velocities, also for spherical joints: q, qd -> positions, with
+// quaternions of unit length.
 symbolic::Program integrate_positions(const model::KinematicTree& tree, const std::string& name);
 
-// The velocities that lead from one position to another in a second, by the shorter way: q_from, q_to -> qd.
+// The velocities that lead from one position to another in one second, by the shorter way: q_from, q_to -> qd.
 symbolic::Program position_difference(const model::KinematicTree& tree, const std::string& name);
 
 }  // namespace robcogen::algorithm

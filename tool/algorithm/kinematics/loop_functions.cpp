@@ -16,7 +16,7 @@ model::FramePair frames_of(const model::KinematicTree& tree, const model::LoopJo
   return model::frame_pair(tree, loop.ends[0].frame, loop.ends[1].frame);
 }
 
-// The second frame in the first one.
+// The second frame of a loop in its first one.
 Reached second_in_first(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) {
   const Path path = path_between(trace.tree, frames_of(trace.tree, loop));
   return walk(trace, path, q, [](const PathSegment&, const Reached&) {});
@@ -26,7 +26,7 @@ bool fixes_axes(model::LoopType type) {
   return type == model::LoopType::slider || type == model::LoopType::weld;
 }
 
-// Half the axis of the rotation of the second frame in the first one, times twice its sine.
+// The axis of the rotation of the second frame in the first one, times the sine of its angle.
 Vector3 turn_of(const Matrix3& R) {
   Vector3 turn;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -36,7 +36,7 @@ Vector3 turn_of(const Matrix3& R) {
   return turn;
 }
 
-// Of a slider only across its axis.
+// The rows of a position; for a slider only those across its axis.
 std::vector<Expression> of_point(model::LoopType type, const Vector3& p) {
   if (type == model::LoopType::slider) return {p[0], p[1]};
   return {p[0], p[1], p[2]};
@@ -58,7 +58,7 @@ std::vector<Expression> error_of(Trace& trace, const model::LoopJoint& loop, con
   return rows;
 }
 
-// By joint of the chain.
+// The columns of the rows of a loop, by joint of the chain.
 std::vector<std::vector<Expression>> columns_of(
     Trace& trace,
     const model::LoopJoint& loop,
@@ -138,8 +138,8 @@ Program loop_jacobian(const model::KinematicTree& tree, const std::string& name)
   return trace.program(name);
 }
 
-// Four steps, from within some 0.05 rad, leave errors of rounding. Where they do not reach the loop, which may not
-// close, the last root is that of a negative number.
+// From within about 0.05 rad, four steps leave only rounding errors. If they do not close the loop, which may be
+// impossible, the last root is that of a negative number: NaN.
 Program close_loops(const model::KinematicTree& tree, const std::string& name) {
   constexpr int kSteps = 4;
   constexpr double kOpen = 1e-5;  // m, rad

@@ -1,5 +1,5 @@
-// How the frames of loops miss one another where the positions of all joints are given: those that sensors measure, or
-// those of a simulator that does not keep loops closed.
+// Functions of loops, such as the distance of their frames when the positions of all joints are given: positions that
+// sensors measure, or those of a simulator that does not keep loops closed.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace robcogen::algorithm {
 
-// q -> q with joints that follow where loops close, by Newton's method from where they are; not numbers where it does
-// not reach that. Of robots with loops that no formulas close.
+// q -> q with the joints that follow at positions that close the loops, by Newton's method from their given positions;
+// NaN if it does not converge. For robots with loops that no formulas close.
 symbolic::Program close_loops(const model::KinematicTree& tree, const std::string& name);
 
-// q -> the rates of tree.followers_in_q(), a row each, by those of the coordinates; nullopt where there are none.
+// q -> the rates of tree.followers_in_q(), a row for each, by those of the coordinates; nullopt if there are none.
 symbolic::FollowerRates follower_rates(const model::KinematicTree& tree);
 
-// Rows of the errors of a loop.
+// The number of rows of the error of a loop.
 int rows_of(model::LoopType type);
 
-// positions of all joints -> errors of all loops, one after another. Of each the position of its second frame in its
-// first one (m; of a slider x and y alone), of a hinge x and y of the second z axis in the first frame, of a slider and
-// a weld the sine of the angle between the frames along its axis; of a distance its excess alone (m).
+// positions of all joints -> errors of all loops, one after another. Each has the position of its second frame in its
+// first one (m; for a slider only x and y). For a hinge, x and y of the second z axis in the first frame follow; for a
+// slider and a weld, the axis of the rotation between the frames times the sine of its angle. A distance has only its
+// excess (m).
 symbolic::Program loop_error(const model::KinematicTree& tree, const std::string& name);
 
 // Its derivative by the positions of all joints.

@@ -10,7 +10,8 @@ namespace {
 
 using model::PrimitiveTransform;
 
-// A helical joint is where it turns; its slide is a length like others.
+// The joints whose position is the amount of a primitive. A helical joint counts at its rotation; its slide is treated
+// as a length.
 std::vector<JointOnPath> joints_of(const model::KinematicTree& tree, const PrimitiveTransform& primitive) {
   const model::Quantity& amount = primitive.quaternion.empty() ? primitive.amount : primitive.quaternion[1];
   const bool backward = amount.op() == model::Quantity::Op::negate;

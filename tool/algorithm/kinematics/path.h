@@ -10,37 +10,37 @@
 
 namespace robcogen::algorithm {
 
-// A joint on the path, passed from parent to child, or backward: then its motion counts the other way.
+// A joint on the path, passed from parent to child, or backward: then its motion counts with the opposite sign.
 struct JointOnPath {
   int joint = 0;
   bool backward = false;
 };
 
-// The last primitive of a segment is the one that is not constant, so that the others merge with it and it costs one
-// sine and cosine. The last segment has constants alone. A spherical joint that is passed backward begins the next
-// segment: at the end of each segment are the child's axes, or the axis, of its joint.
+// The last primitive of a segment is the only one that is not constant, so that the others merge with it and the
+// segment costs one sine and cosine. The last segment has only constants. A spherical joint that is passed backward
+// begins the next segment, so that each segment ends in the child's axes, or on the axis, of its joint.
 struct PathSegment {
   std::vector<model::PrimitiveTransform> primitives;
   std::string subject;              // names the values behind it; empty: the last segment
-  std::string passed;               // what it leads past: `joint KFE`, `Rx(a - b)`
-  std::vector<JointOnPath> joints;  // of a robot, but for the last segment: one, or the components of a spherical one
+  std::string passed;               // what it passes: `joint KFE`, `Rx(a - b)`
+  std::vector<JointOnPath> joints;  // of a robot, except in the last segment: one, or the components of a spherical one
 };
 using Path = std::vector<PathSegment>;
 
-// left_X_right, cut behind each joint; for many pairs of frames with the graph of the robot's motions.
+// left_X_right, cut after each joint. The second form takes the graph of the robot's motions, for many pairs of frames.
 Path path_between(const model::KinematicTree& tree, const model::FramePair& frames);
 Path path_between(const model::KinematicTree& tree, const model::MotionGraph& motions, const model::FramePair& frames);
 
-// The number of the segment from which on nothing rotates: behind the last rotation, or the one that rotates before it
-// translates.
+// The number of the segment after the last one that rotates, or of that one itself if it translates after its rotation
+// or no other segment follows.
 int behind_last_turn(const Path& path);
 
-// Starts the section of a segment and returns its pose: of its last frame in its first. `variables`: of the model; for
-// robots the joint positions.
+// Starts the section of a segment and returns the pose of its last frame in its first one. `variables`: of the model;
+// for robots the joint positions.
 Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<Expression>& variables);
 
-// Follows the whole path and returns its end. Calls behind(segment, here) after each but the last; where a segment ends
-// at a joint, its motion subspace is constant in the axes there.
+// Follows the whole path and returns its end. Calls behind(segment, here) after each segment but the last. If a segment
+// ends at a joint, the joint's motion subspace is constant in the axes there.
 Reached walk(
     ProgramTrace& trace,
     const Path& path,
@@ -63,7 +63,8 @@ void output_transform(
     TransformForm form,
     int moment_from);
 
-// A matrix of six rows by its columns of these joints, as columns of coordinates (kinematics.h: chain_coordinates).
+// Outputs a matrix of six rows, given by columns of these joints, with columns of coordinates (kinematics.h:
+// chain_coordinates).
 void output_columns(
     Trace& trace,
     const std::string& name,

@@ -1,4 +1,4 @@
-// Velocities of a point by the coordinates of a robot.
+// The velocity of a point by the coordinates of a robot.
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"

@@ -1,7 +1,7 @@
-// How positions move, and the way between two of them: spherical joints turn.
+// Integration of positions, and the way between two of them, with spherical joints.
 //
-// Without branches: lengths of vectors that may vanish are those of vectors with a fourth component of 1e-18, which no
-// other length sees.
+// There are no branches: the length of a vector that may vanish is that with a fourth component of 1e-18, which is lost
+// in rounding for any other vector.
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/spatial/trace.h"
 #include "support/index.h"
@@ -21,7 +21,7 @@ Quaternion product(const Quaternion& a, const Quaternion& b) {
   return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
 }
 
-// As Trace::joint_input gives positions: all joints, then the scalar parts.
+// The quaternion of a spherical joint in positions as Trace::joint_input gives them: all joints, then the scalar parts.
 Quaternion quaternion_of(const std::vector<Expression>& q, std::size_t joints, int first, std::size_t number) {
   const std::size_t x = at(first);
   return {q[joints + number], {q[x], q[x + 1], q[x + 2]}};
@@ -70,7 +70,7 @@ Program position_difference(const model::KinematicTree& tree, const std::string&
     trace.section(ball, "joint ", ": turn");
     const Quaternion start = quaternion_of(from, tree.joints.size(), balls[k], k);
     const Quaternion turn = product({start.w, -start.v}, quaternion_of(to, tree.joints.size(), balls[k], k));
-    // Of the whole angle, which is the shorter way whatever the signs of the quaternions.
+    // The arc tangent of the whole angle, which is the shorter way whatever the signs of the quaternions.
     const Expression sine = length(trace, turn.v), twice = turn.w + turn.w;
     const Expression angle = atan2(twice * sine, turn.w * turn.w - dot(turn.v, turn.v));
     const Vector3 ways = (angle / sine) * turn.v;

@@ -1,5 +1,5 @@
-// A coordinate transform as the plain product that a document of transforms writes, for users who have primitives of
-// their own.
+// A coordinate transform as a plain product of primitives, as in a document of transforms, for users who have
+// primitives of their own.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace robcogen::algorithm {
 
 struct PrimitiveProduct {
   std::vector<model::PrimitiveTransform> primitives;  // first one leftmost
-  symbolic::Program amounts;                          // q -> amounts of the primitives, a row each (m, rad)
+  symbolic::Program amounts;                          // q -> amounts of the primitives, a row for each (m, rad)
 };
 
 // left_X_right. `position` is the convention of the primitives: right: Rx(a) maps coordinates of the frame rotated by

@@ -65,16 +65,16 @@ Matrix3 from_left_to_right(const Reached& here) {
   return m;
 }
 
-// Of three planes the middle one is taken apart: the parts are products of the outer sines and cosines, each needed
-// once.
+// The product of three plane rotations, the middle one of which is taken apart: the parts are products of the outer
+// sines and cosines, each needed once.
 Matrix3 from_outside(const Reached& here) {
   Parts parts = take_apart(here.before[1], here.planes[1].axis);
   for (Matrix3* m : {&parts.fixed, &parts.with_c, &parts.with_s}) turn(*m, here.planes[2]);
   return put_together(parts, here.planes[1]);
 }
 
-// The rotation, once its last plane is known. Euler angles need 12 products from outside, 14 from left to right, of
-// which the position may have used two; constant angles can make the latter cheaper.
+// The rotation, once its last plane rotation is known. Euler angles take 12 products from outside and 14 from left to
+// right, two of which the position may share; constant angles can make the latter cheaper.
 Matrix3 product(const Reached& here) {
   if (here.planes.size() != 3) return from_left_to_right(here);
   const std::size_t mark = here.graph->mark();
@@ -116,7 +116,7 @@ PlaneRotation sum(const Reached& here, const PlaneRotation& a, const PlaneRotati
 
 void turn(Reached& here, const PlaneRotation& plane) {
   if (plane.matrix) {
-    // What is in front of it stays a product of its own.
+    // The rotation before it stays a product of its own.
     turn(here.rotation, plane);
     here.before.clear();
     here.planes.clear();
@@ -156,7 +156,7 @@ Matrix3 moment_of(const Reached& here) {
   return m;
 }
 
-// R [offset]x, of an offset in the frame reached.
+// Adds R [offset]x, for an offset in the frame reached.
 void add_moment(Reached& here, const Vector3& offset) {
   for (std::size_t k = 0; k < 3; ++k) here.moment[k] += cross(here.rotation[k], offset);
 }

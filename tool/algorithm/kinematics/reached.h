@@ -20,7 +20,7 @@ struct Reached {
   // before[i] is the product up to planes[i]. Quarter turns are pushed to the left, where they are free.
   std::vector<Matrix3> before = {};
   std::vector<PlaneRotation> planes = {};
-  std::vector<Expression> angles = {};  // whose sines and cosines are at hand
+  std::vector<Expression> angles = {};  // whose sines and cosines exist already
 
   // [p]x R can be computed at the end, from p and R, or from some segment on along the path, by adding R [offset]x,
   // which avoids sin^2 + cos^2. Which is cheaper depends on the path.
@@ -33,7 +33,7 @@ struct Reached {
 // The first frame itself.
 Reached start(Graph& graph, int moment_from = Reached::kNoSegment);
 
-// Goes on to the frame with this pose in the frame reached.
+// Advances to the frame with this pose in the frame reached.
 void advance(Reached& here, const Pose& pose);
 
 // The cheapest of the programs of `make`: with the moment computed at the end, from the first segment on, or from

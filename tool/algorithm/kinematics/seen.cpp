@@ -5,7 +5,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-// A spherical joint, of which these are the rate and its derivative.
+// Adds a spherical joint with angular velocity `rate` and its derivative `own`.
 void add_rotation(Seen& target, const Vector3& rate, const Vector3& own) {
   const Vector3 velocity = cross(rate, target.position);
   target.acceleration += cross(rate, target.velocity + target.velocity + velocity);
@@ -32,7 +32,7 @@ void add_joint(Seen& target, const Joint& joint, const Expression& rate, const E
   target.acceleration += own * slide;
 }
 
-// Of a spherical joint.
+// The values of the components of a spherical joint as a vector.
 Vector3 rotation_along(const std::vector<JointOnPath>& components, const std::vector<Expression>& values) {
   Vector3 rotation;
   for (std::size_t axis = 0; axis < 3; ++axis) rotation[axis] = along(components[axis], values);

@@ -10,8 +10,8 @@
 
 namespace robcogen::algorithm {
 
-// How the programs of a robot are traced: the frames that suit an algorithm are looked for when it is first asked for.
-// Several threads may ask.
+// Chooses how the programs of a robot are traced. The frames that suit an algorithm are searched for when they are
+// first requested. Several threads may request them.
 class FormulationChoices {
  public:
   FormulationChoices(const model::KinematicTree& tree, const Formulation& common);
@@ -20,19 +20,20 @@ class FormulationChoices {
   static FormulationChoices for_congruent_limbs(FormulationChoices& original) { return FormulationChoices(original); }
 
   const Formulation& common() const { return common_; }
-  // The robot that programs with these formulations are traced of: where mass properties may move to other links, those
+  // The robot for which programs with these formulations are traced: if mass properties may move to other links, those
   // of rotors do too (rotor_spin.h).
   const model::KinematicTree& tree() const { return spun_ ? *spun_ : model_; }
-  // As it is.
+  // The robot as it is in the model.
   const model::KinematicTree& model() const { return model_; }
   const Formulation& newton_euler();
   const Formulation& unactuated_base();
   const Formulation& inertia();
   const Formulation& inverse_dynamics_derivatives();
   const ForwardDynamicsChoice& forward_dynamics();
-  // For a program that no frames were looked for: those of Newton-Euler, or the model's.
+  // The formulation for a program that has no frame search of its own: with the frames of Newton-Euler or of the model,
+  // whichever is cheaper.
   Formulation cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace);
-  // For programs of the model as it is; empty but for congruent limbs.
+  // For programs of the model as it is; empty except in the choices for congruent limbs.
   const RepresentativeLinks& representative_of_model() const { return representative_of_model_; }
 
  private:
@@ -46,7 +47,7 @@ class FormulationChoices {
   Lazy<Formulation> newton_euler_, unactuated_base_, inertia_, inverse_dynamics_derivatives_;
   Lazy<ForwardDynamicsChoice> forward_dynamics_;
 
-  // With frames that suit these traces, looked for from those of `start` on.
+  // `start` with frames that suit this trace; the search begins at the frames of `start`.
   Formulation searched(const Formulation& start, const TraceOf& trace) const;
   Formulation with_representatives(Formulation formulation) const;
 };

@@ -13,14 +13,15 @@ namespace {
 
 using model::Quantity;
 
-constexpr double kOneRule = 1e-8;  // rad, m: values that one rule gives before and after other frames change
+constexpr double kOneRule = 1e-8;  // rad, m: closer values are of one rule, before and after other frames change
 
 bool are_near(const Quantity& a, const Quantity& b) {
   if (!a.is_constant() || !b.is_constant()) return a == b;
   return std::abs(a.number().value() - b.number().value()) < kOneRule;
 }
 
-// The value that the same rule gives to the follower; where candidates coincide, one of the same size.
+// The value that the same rule gives for the follower; if it gives none because candidates coincide, one of the same
+// size.
 std::optional<Quantity> counterpart(
     const Quantity& value,
     const std::vector<Candidate>& of_leader,
@@ -35,7 +36,7 @@ std::optional<Quantity> counterpart(
   return same_size == of_follower.end() ? std::nullopt : std::optional(same_size->value);
 }
 
-// The frame that the follower takes from the leader. `frames`: those of their parents are final.
+// The frame that the follower takes from the leader. In `frames`, those of their parents are final.
 std::optional<LinkFrame> following(const FrameCandidates& candidates, LinkFrames frames, int leader, int follower) {
   const LinkFrame frame = frames[at(leader)];
   frames[at(leader)] = frames[at(follower)] = LinkFrame();
@@ -48,7 +49,7 @@ std::optional<LinkFrame> following(const FrameCandidates& candidates, LinkFrames
   return LinkFrame{*turn, *slide, frame.turns_with_joint};
 }
 
-// Unchanged where a follower has no such frame.
+// Gives all limbs the frames of the first one. `frames` stay unchanged if a follower has no such frame.
 void follow(const FrameCandidates& candidates, const LimbsInLanes& limbs, LinkFrames& frames) {
   LinkFrames result = frames;
   for (const std::vector<int>& joints : limbs.joints) {

@@ -10,8 +10,8 @@ namespace {
 
 const std::string kName = "forward_dynamics";
 
-// Elimination alone takes half a product and sum for each pair of ancestors, articulated bodies some hundred
-// instructions a joint: no need to trace what cannot win, and what is cubic in the depth of the tree.
+// Elimination alone takes half a product and sum for each pair of ancestors of a joint, articulated bodies about a
+// hundred instructions per joint. Elimination is cubic in the depth of the tree: if it cannot win, it is not traced.
 bool is_elimination_cheap(const model::KinematicTree& tree) {
   constexpr long kInstructionsOfJoint = 100;
   std::vector<long> depth(tree.joints.size());

@@ -10,7 +10,7 @@ namespace robcogen::algorithm {
 // The method with the smaller predicted time (symbolic::predicted_time), each in the link frames that suit it.
 ForwardDynamicsChoice forward_dynamics_choice(const model::KinematicTree& tree, const Formulation& formulation = {});
 
-// With the choice for this formulation.
+// Forward dynamics with the choice for this formulation.
 symbolic::Program forward_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,

@@ -12,11 +12,11 @@ namespace {
 
 using model::Quantity;
 
-constexpr double kSame = 1e-9;     // rad, m: candidates closer than this are one
-constexpr double kNothing = 1e-9;  // what is smaller than this share of what it could be has no direction
+constexpr double kSame = 1e-9;     // rad, m: candidates closer than this count as one
+constexpr double kNothing = 1e-9;  // a vector smaller than this share of its possible size has no direction
 constexpr double kQuarter = std::numbers::pi / 2;
 
-// Exact where it is a multiple of 90 degrees.
+// An angle, exact if it is a multiple of 90 degrees.
 Quantity angle(double value) {
   const double turned = std::remainder(value, 4 * kQuarter);
   const double quarters = std::round(turned / kQuarter);
@@ -29,7 +29,7 @@ Quantity length(double value) {
   return Quantity(*Number::parse(print_double(std::abs(value) < 1e-14 ? 0.0 : value)));
 }
 
-// Candidates under construction: each call is a rule, whether it has something to offer or not.
+// Candidates under construction. Each call stands for a rule, whether it adds a candidate or not.
 class CandidateList {
  public:
   std::vector<Candidate> list;
@@ -43,7 +43,7 @@ class CandidateList {
     if (!known) list.push_back({next_, q});
     ++next_;
   }
-  // A direction and its normal.
+  // Adds a direction and its normal.
   void add_direction(double a) {
     const double within = std::remainder(a, 2 * kQuarter);
     add(angle(within));

@@ -16,10 +16,10 @@ using model::KinematicTree;
 // Statements that may be traced at effort 1.
 constexpr long kStatements = 2'000'000;
 constexpr int kRounds = 3;
-// Constants of a choice may be larger than those before it by this factor.
+// The constants of a choice may be larger than those before it by this factor.
 constexpr double kLarger = 16.0;
 
-// An accepted change, by the rules that it follows, so that limbs of the same shape can take it too.
+// An accepted change, recorded by its rules so that limbs of the same shape can take it too.
 struct Step {
   int joint = 0;
   int turn_rule = 0, slide_rule = 0;
@@ -28,14 +28,14 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-// One joint's frames with this one, and its parent's as the step says.
+// The frames with this one for the joint, and with the frame of its parent as the step says.
 LinkFrames changed(const KinematicTree& tree, LinkFrames frames, int joint, const LinkFrame& frame, const Step& step) {
   frames[at(joint)] = frame;
   if (step.parent_turns) frames[at(tree.parent_joint_of(joint))].turns_with_joint = *step.parent_turns;
   return frames;
 }
 
-// The frames of a limb after the steps that another of the same shape took; nullopt where it has no such candidates.
+// The frames after a limb takes the steps of another of the same shape; nullopt if it has no such candidates.
 std::optional<LinkFrames> followed(
     const KinematicTree& tree,
     const FrameCandidates& candidates,
@@ -57,7 +57,7 @@ std::optional<LinkFrames> followed(
   return frames;
 }
 
-// The frames so far: each limb that is visited replaces them by cheaper ones.
+// Coordinate descent: each limb that is visited replaces the frames so far by cheaper ones.
 class Descent {
  public:
   Descent(const KinematicTree& tree, const Formulation& formulation, const TraceOf& trace)
@@ -72,7 +72,7 @@ class Descent {
     if (frames_.empty()) frames_.resize(tree.joints.size());
   }
 
-  // The frames that it starts from, and those after each change.
+  // Returns the initial frames and those after each change.
   std::vector<LinkFrames> run() {
     history_.push_back(frames_);
     for (int round = 0; round < kRounds; ++round)
@@ -86,13 +86,12 @@ class Descent {
   const FrameCandidates candidates_;
   const std::vector<int> shapes_;  // of limbs, by joint
   LimbTrials trials_;
-  std::vector<double> constant_bounds_;  // by joint: what constants of a choice may be; zero before its first visit
-  long left_;                            // statements
+  std::vector<double> constant_bounds_;  // by joint: the largest constant allowed; zero before its first visit
+  long left_;                            // statements that may still be traced
   LinkFrames frames_;
   std::vector<LinkFrames> history_;
 
-  // What the joint has to do with, in these frames. The bound counts what is asked for again, too: it is one on what is
-  // tried.
+  // The trial of the joint's limb in these frames. Repeated trials count too, because the bound limits the trials.
   Trial& tried(int joint, const LinkFrames& frames) {
     Trial& trial = trials_.of(joint, frames);
     left_ -= trial.weight.statements;
@@ -104,8 +103,8 @@ class Descent {
     history_.push_back(frames_);
   }
 
-  // Visits all limbs that hang on a link. A limb of the same shape as an earlier one follows that one, and adds no
-  // steps.
+  // Visits all limbs that are attached to a link and returns their steps. A limb of the same shape as an earlier one
+  // tries to follow that one.
   Steps visit(int link) {
     struct Done {
       int joint;
@@ -129,7 +128,7 @@ class Descent {
     return all;
   }
 
-  // Takes the steps of a limb of the same shape; whether that costs the same there. Otherwise nothing changes.
+  // Takes the steps of a limb of the same shape and returns whether they cost the same here. Otherwise nothing changes.
   bool follow(int joint, int leader, const Steps& steps, int expected) {
     const std::vector<int> from = model::limb_joints(tree_, shapes_, leader);
     const std::vector<int> to = model::limb_joints(tree_, shapes_, joint);
@@ -145,7 +144,7 @@ class Descent {
     return true;
   }
 
-  // What a joint's candidates are compared with, and the changes that were better.
+  // The cost that a joint's candidates are compared with, and the changes that lowered it.
   struct Improvement {
     int joint;
     int best;
@@ -168,16 +167,17 @@ class Descent {
     so_far.steps.push_back(step);
   }
 
-  // With and without the joint's turning. By value: what is accepted replaces frames_.
+  // Tries frames that turn with the joint and frames that do not. Arguments are passed by value, because an accepted
+  // frame replaces frames_.
   void attempt_both(Improvement& so_far, model::Quantity turn, model::Quantity slide, const Step& step) {
     for (const bool turns : {true, false})
       if (turns || formulation_.turn_inertia) attempt(so_far, {turn, slide, turns}, step);
   }
 
-  // Turns, then slides at the best turn.
+  // Tries turns, then slides at the best turn.
   Steps improve(int joint) {
     if (tree_.joints[at(joint)].type == model::JointType::spherical)
-      return {};  // it has no axis to turn or slide about
+      return {};  // it has no axis to turn about or slide along
     const symbolic::Weight start = tried(joint, frames_).weight;
     double& bound = constant_bounds_[at(joint)];
     if (bound == 0.0) bound = kLarger * start.largest_constant;
@@ -193,7 +193,7 @@ class Descent {
     return std::move(result.steps);
   }
 
-  // With and without the joint's turning, and its parent's.
+  // Tries frames that turn with the joint and frames that do not, then both with either choice for the parent.
   void attempt_turning(Improvement& result) {
     const int joint = result.joint;
     attempt_both(result, frames_[at(joint)].turn, frames_[at(joint)].slide, {});
@@ -203,8 +203,8 @@ class Descent {
   }
 };
 
-// The last frames with which the whole robot keeps the digits that the plain formulation keeps, or the model's: limbs
-// are judged one by one while they change.
+// Late frames with which the whole robot keeps the digits that the plain formulation keeps, found by going back in
+// doubling steps; if there are none, those of `formulation`. During the search limbs are judged one by one.
 LinkFrames accurate_frames(
     const KinematicTree& tree,
     const Formulation& formulation,

@@ -10,7 +10,7 @@ namespace {
 
 using model::KinematicTree;
 
-// Of the view's joints and links.
+// The numbers of the view's joints and links.
 std::shared_ptr<const LinkNumbers> numbers_of(
     const KinematicTree& tree,
     const LimbView& view,

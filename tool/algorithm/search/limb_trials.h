@@ -1,4 +1,4 @@
-// What a search for link frames has tried, limb by limb, so that it traces nothing twice.
+// The trials of a search for link frames, limb by limb, so that nothing is traced twice.
 #pragma once
 
 #include <functional>
@@ -19,13 +19,13 @@ using TraceOf = std::function<void(Trace&, const Formulation&)>;
 
 struct Trial {
   symbolic::Weight weight;
-  std::optional<bool> keeps_digits = {};  // once it was asked for
+  std::optional<bool> keeps_digits = {};  // set when it is first requested
 };
 
 // The trials of one limb.
 class Trials {
  public:
-  // That of these frames, one a joint of the limb; weighed when they are new.
+  // The trial with these frames, one per joint of the limb. `weigh` is called if they are new.
   Trial& in_frames(const LinkFrames& frames, const std::function<symbolic::Weight()>& weigh);
 
  private:
@@ -33,27 +33,28 @@ class Trials {
   std::map<std::vector<int>, Trial> done_;  // by the index of each joint's frame in known_
 };
 
-// The trials of all limbs of a robot: of each joint, that which the joint moves or which carries it.
+// The trials of all limbs of a robot. The limb of a joint is made of the links that the joint moves and those that
+// carry it.
 class LimbTrials {
  public:
-  // `formulation` for all but the frames; `numbers` of a robot without parameters, else nullptr.
+  // `formulation`: for everything but the frames. `numbers`: of a robot without parameters, otherwise nullptr.
   LimbTrials(
       const model::KinematicTree& tree,
       const Formulation& formulation,
       const TraceOf& trace,
       const std::shared_ptr<const LinkNumbers>& numbers);
 
-  // That of a joint's limb in these frames of all joints of the robot.
+  // The trial of a joint's limb; `frames` are those of all joints of the robot.
   Trial& of(int joint, const LinkFrames& frames);
-  // Whether the limb's trace keeps the digits that it keeps in the frames of the model: with the same mass properties,
-  // which other limbs may have a share in. `trial` is that of these frames.
+  // Whether the limb's trace keeps the digits that it keeps in the frames of the model, with the same mass properties,
+  // which may include shares of other limbs. `trial` is the trial of these frames.
   bool keeps_digits(int joint, const LinkFrames& frames, Trial& trial);
 
  private:
   struct Limb {
     LimbView view;
     std::shared_ptr<const LinkNumbers> numbers;
-    std::shared_ptr<const symbolic::AccurateResults> results;  // once they were asked for
+    std::shared_ptr<const symbolic::AccurateResults> results;  // set when they are first requested
     Trials trials;
   };
 
@@ -64,7 +65,7 @@ class LimbTrials {
   Formulation draft(const Limb& limb, LinkFrames frames) const;
 };
 
-// The program of a formulation, and the results that it should have.
+// The program of a formulation, and its reference results.
 symbolic::Program program_of(const model::KinematicTree& tree, const TraceOf& trace, const Formulation& formulation);
 std::shared_ptr<const symbolic::AccurateResults> results_of(
     const model::KinematicTree& tree,

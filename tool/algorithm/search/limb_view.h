@@ -7,7 +7,7 @@
 
 namespace robcogen::algorithm {
 
-// The links between the base and a joint, and all beyond the joint. No user frames.
+// The links between the base and a joint, and all beyond the joint, without user frames.
 struct LimbView {
   model::KinematicTree tree;
   std::vector<int> joints;  // by joint of the view: the joint of the robot

@@ -61,7 +61,7 @@ class ReducedMatrix {
   const SquareMatrix& by_joint_;
   int base_;
 
-  // Of m G, whose rows are those of joints.
+  // An element of m G, whose rows are those of joints.
   Expression times_G(int row, int column) const {
     if (column < base_) return by_joint_(row, column);
     return sum_of(shares_[at(column - base_)], [&](int joint) { return by_joint_(row, base_ + joint); });

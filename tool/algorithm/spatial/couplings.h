@@ -1,7 +1,7 @@
-// Coupled joints. Their positions q follow independent coordinates y, q = G y + c with constant G, so that qd = G yd
-// and qdd = G ydd; through loops (closures.h) G turns with q, and qdd = G ydd + dG/dt yd. By virtual work forces of
-// joints are G' tau of the coordinates. Everything is traced over joints;
-// what goes in and comes out is over coordinates (Jain 2012, constraint embedding).
+// Coupled joints. Their positions q follow independent coordinates y: q = G y + c with constant G, so that qd = G yd
+// and qdd = G ydd. Through loops (closures.h) G changes with q, and qdd = G ydd + dG/dt yd. By virtual work, the forces
+// tau of the joints are the forces G' tau of the coordinates. Everything is traced over joints; inputs and outputs are
+// over coordinates (Jain 2012, constraint embedding).
 #pragma once
 
 #include <vector>
@@ -16,13 +16,15 @@ struct Share {
   Expression factor;
 };
 
-// By coordinate: first the joint whose position it is, whose factor is not made.
+// By coordinate: the joints that it moves. The first one is the joint whose position it is; its factor is one and is
+// not set.
 std::vector<std::vector<Share>> shares(Trace& trace);
 
-// dG/dt, of joints that follow through loops, where all joints move with `qd`.
+// dG/dt, for joints that follow others through loops, when all joints move with `qd`.
 std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expression>& qd);
 
-// Sum of factor * of_joint(joint): an element by coordinate of what is linear in the rates of the joints.
+// The sum of factor * of_joint(joint): the element for a coordinate of a quantity that is linear in the rates of the
+// joints.
 template <class OfJoint>
 auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
   auto total = of_joint(shares.front().joint);
@@ -33,12 +35,12 @@ auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
 // G' tau.
 std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint);
 
-// G' m G, of a matrix whose first `base` rows and columns are those of the base and stay; of a symmetric one, from the
-// elements on one side.
+// G' m G, for a matrix whose first `base` rows and columns are those of the base and stay. A symmetric matrix is
+// computed from one triangle.
 enum class Symmetry { none, symmetric };
 SquareMatrix by_coordinate(Trace& trace, const SquareMatrix& by_joint, int base, Symmetry symmetry);
 
-// G' (C G + H dG/dt), where all joints move with `qd`: forces of joints are C qd + H qdd.
+// G' (C G + H dG/dt), when all joints move with `qd` and the forces of joints are C qd + H qdd.
 SquareMatrix coriolis_by_coordinate(
     Trace& trace,
     const SquareMatrix& C,
@@ -46,12 +48,12 @@ SquareMatrix coriolis_by_coordinate(
     const std::vector<Expression>& qd,
     int base);
 
-// m G, the first `base` rows of which are those of the base and stay, with G' m of the other rows: of columns by joint.
+// m G with G' applied to its rows, for columns by joint; the first `base` rows are those of the base and stay.
 Columns by_coordinate(Trace& trace, const Columns& by_joint, int base);
-// G' alone, of columns that are not those of joints.
+// G' alone, for columns that do not belong to joints.
 Columns rows_by_coordinate(Trace& trace, const Columns& columns, int base);
 
-// The columns of a Jacobian over these joints, of a chain, as columns over chain_coordinates of the same joints.
+// The columns of a Jacobian over these joints of a chain, as columns over the chain_coordinates of the same joints.
 std::vector<Motion> columns_by_coordinate(
     Trace& trace,
     const std::vector<int>& joints,

@@ -1,4 +1,4 @@
-// The columns of K of the joints that follow: K_d x = rows, solved for any rows.
+// The columns of K of the joints that follow, with solutions of K_d x = rows for any rows.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace robcogen::algorithm {
 
-// One or two rows of as many joints by cofactors. Otherwise by an orthogonal basis of the columns (modified
-// Gram-Schmidt: Golub and Van Loan 2013, sec. 5.2.8), so that there may be more rows than joints, some of which say the
-// same as others.
+// One or two rows of as many joints are solved by cofactors. Otherwise an orthogonal basis of the columns is used
+// (modified Gram-Schmidt: Golub and Van Loan 2013, sec. 5.2.8), so that there may be more rows than joints, some of
+// them redundant.
 class DependentColumns {
  public:
-  // A column a joint.
+  // A column for each joint.
   DependentColumns(Graph& graph, const std::vector<std::vector<Expression>>& columns);
 
-  // By joint; of rows that contradict one another, the nearest.
+  // The solution by joint; the nearest one (least squares) if rows contradict one another.
   std::vector<Expression> solve(const std::vector<Expression>& rows) const;
-  // lambda with K_d' lambda = forces, by row; the shortest one where rows say the same.
+  // lambda with K_d' lambda = forces, by row; the shortest one if rows are redundant.
   std::vector<Expression> transposed_solve(const std::vector<Expression>& forces) const;
 
-  // Of more rows than joints: their parts along an orthogonal basis of the columns; and back.
+  // The parts of rows along an orthogonal basis of the columns, if there are more rows than joints; and back.
   std::vector<Expression> in_basis(const std::vector<Expression>& rows) const;
   std::vector<Expression> from_basis(const std::vector<Expression>& parts) const;
 

@@ -1,5 +1,5 @@
-// Says what values are (symbolic::Graph::describe): scalars, and elements of vectors and matrices with their axes
-// behind the name. `_P` behind a name: about the origin of the parent and in its axes.
+// Describes values (symbolic::Graph::describe): scalars, and elements of vectors and matrices with their axes after the
+// name. `_P` after a name: about the origin of the parent and in its axes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robcogen::algorithm {
 
-// Whether anything is said: text for graphs that keep no names would cost more than the rest of a trace.
+// Whether the graph keeps names: text for one that does not would cost more than the rest of a trace.
 inline bool keeps_names(const Expression& e) {
   return e.graph() && e.graph()->keeps_names();
 }

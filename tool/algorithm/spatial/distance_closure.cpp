@@ -10,7 +10,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-// A point that moves in a frame: the acceleration is that which velocities cause.
+// A point that moves in a frame; the acceleration is the part that velocities cause.
 struct MovingPoint {
   Vector3 position, velocity, acceleration;
 };
@@ -36,7 +36,7 @@ class DistanceClosure : public TracedClosure {
   std::array<std::vector<Pose>, 2> poses_;      // by joint of an end, then of its frame
   std::array<std::vector<Vector3>, 2> points_;  // the end's point in each frame before a pose
 
-  // From the frame of the end back to the frame before pose `first`, which has the last place.
+  // The point of the end in the frame before each pose, from the last pose back to pose `first`.
   std::vector<Vector3> points(std::size_t e, std::size_t first) const {
     const std::vector<Pose>& poses = poses_[e];
     std::vector<Vector3> result(poses.size());
@@ -45,7 +45,8 @@ class DistanceClosure : public TracedClosure {
     return result;
   }
 
-  // In the frame of the joint, about whose axis it turns the point of its own end: |other - R own| is the length.
+  // Solves in the frame of the joint, which turns the point of its own end about its axis: |other - R own| is the
+  // length.
   void solve(std::vector<Expression>& q) {
     for (std::size_t e = 0; e < 2; ++e) poses_[e] = poses_along(trace_, loop_.ends[e], q);
     Vector3 other = points(1 - end_, 0).front();
@@ -76,7 +77,7 @@ class DistanceClosure : public TracedClosure {
         other = point_to_child(poses_[e][k], other);
         const Vector3& own = points_[e][k + 1];
         const Joint joint = joint_of(trace_, loop_.ends[e].joints[k]);
-        // (own - other) times the velocity of the own point by unit rate, about or along z.
+        // (own - other) times the velocity of the own point at unit rate, about or along z.
         const Motion S = subspace(joint, trace_.graph);
         Expression rate;
         if (!is_zero(S.angular)) rate += difference_of_products(other[0], own[1], other[1], own[0]);
@@ -117,7 +118,7 @@ class DistanceClosure : public TracedClosure {
     return {of_velocity + dot(apart, first.acceleration - second.acceleration)};
   }
 
-  // The row is that of half the square of the distance.
+  // The row is half the square of the distance, minus that of the length.
   std::vector<Expression> error() override {
     const Expression length = trace_.lift(loop_.length), square = length * length;
     return {0.5 * (square_of_distance() - square)};

@@ -9,7 +9,7 @@ using model::JointType;
 
 constexpr std::size_t z = 2;
 
-// e x v, of a unit vector.
+// e x v, for a unit vector e along an axis.
 Vector3 cross_axis(std::size_t axis, const Vector3& v) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
   Vector3 result;
@@ -22,23 +22,23 @@ Vector3 cross_z(const Vector3& v) {
   return cross_axis(z, v);
 }
 
-// Of the components of a spherical joint, from the first one on.
+// The values of the components of a spherical joint, given the first one.
 Vector3 of_components(const Joint& first, const std::vector<Expression>& by_joint) {
   const std::size_t j = at(first.index);
   return {by_joint[j], by_joint[j + 1], by_joint[j + 2]};
 }
 
-// Whether another component moves the child for this one.
+// Whether another component of a spherical joint moves the child for this one.
 bool is_follower(const Joint& joint) {
   return joint.is_spherical() && joint.axis > 0;
 }
 
-// v x z.
+// (v x z) * length in x and y, and `along` in z.
 Vector3 cross_with_z(const Vector3& v, const Expression& length, const Expression& along) {
   return {v[1] * length, -(v[0] * length), along};
 }
 
-// What a body takes per unit of turning about an axis, and of sliding along z.
+// The force that a body takes per unit of acceleration about an axis, or along z.
 Force of_turning(const MassProperties& body, std::size_t axis = z) {
   const Matrix3& s = body.pseudo_inertia;
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -254,8 +254,8 @@ SpatialInertia reduced(const SpatialInertia& body, const Force& U, const Force& 
   return x;
 }
 
-// With the blocks A, B, M and S = (z; p z), or about another axis than z of a spherical joint: A z = -p B z and B' z =
-// -p M z, both zero without a pitch. Of a prismatic joint B z and M z are zero.
+// With the blocks A, B, M of the result and S = (z; p z), or S about another axis for a spherical joint: A z = -p B z
+// and B' z = -p M z, both zero without a pitch. For a prismatic joint B z and M z are zero.
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain) {
   const bool turns = model::turns(joint.type);
   const std::size_t k = at(joint.axis);

@@ -1,11 +1,12 @@
-// A joint as the recursions see it: what it adds to the motion of its child, and which part of a force it feels.
+// A joint as the recursions use it: what it adds to the motion of its child, and which part of a force it feels.
 //
 // All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
-// child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) of a revolute joint, (0 0 0 0 0 1) of a
-// prismatic one, (0 0 1 0 0 p) of a helical one of pitch p (Featherstone 2008, table 4.1).
+// child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) for a revolute joint, (0 0 0 0 0 1) for a
+// prismatic one, (0 0 1 0 0 p) for a helical one with pitch p (Featherstone 2008, table 4.1).
 //
 // The components of a spherical joint are three joints in a row with the same child frame, about its x, y and z axis:
-// the child turns with the rates of all three. So motions pass the first component whole, and the others not at all.
+// the child turns with the rates of all three. So the first component changes a motion by all three rates, and the
+// others do not change it.
 #pragma once
 
 #include "algorithm/spatial/link_motion.h"
@@ -17,7 +18,7 @@ struct Joint {
   int index = 0;
   int child = 0;  // link
   model::JointType type = model::JointType::revolute;
-  Expression pitch = {};  // of a helical joint, m a radian
+  Expression pitch = {};  // of a helical joint, m per radian
   int axis = 2;           // of a component of a spherical joint
 
   bool is_spherical() const { return type == model::JointType::spherical; }
@@ -31,10 +32,10 @@ Joint joint_of(Trace& trace, int index);
 Motion subspace(const Joint& joint, Graph& graph);
 // V_C += S rate.
 void add_rate(const Joint& joint, const Expression& rate, Motion& V_C);
-// The same of its two parts.
+// The same for the two parts of V_C.
 void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v);
-// What the joint adds to the motion of its child: S qd; of the components of a spherical joint the first one adds it
-// for all. `qd` by joint.
+// Adds S qd, the joint's part of the motion of its child. The first component of a spherical joint adds it for all
+// three. `qd` by joint.
 void add_rates(const Joint& joint, const std::vector<Expression>& qd, Vector3& w, Vector3& v);
 // S' F_C: the joint force.
 Expression project(const Joint& joint, const Force& F_C);
@@ -64,8 +65,8 @@ LinkMotion carried_motion(const Pose& X_PC, const LinkMotion& parent);
 // I S: the force that accelerates the body by one unit of the joint from rest, and its momentum at unit rate.
 Force times_subspace(const MassProperties& body, const Joint& joint);
 Force times_subspace(const SpatialInertia& body, const Joint& joint);
-// I - U U' / D, the inertia that remains where the joint gives way: U = I S, `gain` = U / D. With D = S' U, row and
-// column of S become zero: `released` takes them as such.
+// I - U U' / D, the inertia that remains when the joint yields: U = I S, `gain` = U / D. If D = S' U, the row and
+// column of S become zero, and `released` sets them to zero.
 SpatialInertia reduced(const SpatialInertia& body, const Force& U, const Force& gain);
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain);
 

@@ -8,13 +8,14 @@
 namespace robcogen::algorithm {
 namespace {
 
-// Which expression of the z component of the moment n = axial(U S): two ways to write the same number.
+// Two equivalent expressions for the z component of the moment n = axial(U S).
 enum class MomentForm {
   products,  // of U and S
   by_rate,   // wd_z I_zz + w_x w_y (S_xx - S_yy) + …
 };
 
-// w x momentum * rate. Of a constant momentum along three axes in multiples of its largest component: a product less.
+// w x momentum * rate. A constant momentum with three components is taken in multiples of its largest one, which saves
+// a product.
 Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
   const Vector3& momentum = spin.momentum;
   std::size_t largest = 0;
@@ -30,14 +31,14 @@ Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
   return cross(rate * w, direction);
 }
 
-// The whole vector as I wd + w x I w.
+// The moment as I wd + w x I w.
 Vector3 euler_moment(const MassProperties& m, const AngularState& state) {
   const Matrix3 inertia = inertia_tensor(m);
   const Vector3 euler = multiply(inertia, state.wd);
   return euler + cross(state.w, multiply(inertia, state.w));
 }
 
-// Its x and y components from products of U and S; z is zero.
+// The x and y components of the moment from products of U and S; z is zero.
 Vector3 moment_across(const MassProperties& m, const AngularState& state) {
   const Matrix3& s = m.pseudo_inertia;
   const Vector3& w = state.w;
@@ -48,7 +49,7 @@ Vector3 moment_across(const MassProperties& m, const AngularState& state) {
     describe(yy, state.link + "_wy2");
     describe(zz, state.link + "_wz2");
   }
-  // One term after the other: the order of making is the same with every compiler.
+  // Terms are added one after the other, so that every compiler creates them in the same order.
   Expression nx = u(2, 0) * s[0][1];
   nx += u(2, 1) * s[1][1];
   nx -= u(1, 2) * s[2][2];
@@ -82,7 +83,7 @@ Expression moment_about_z(const MassProperties& m, const AngularState& state, Mo
   return nz;
 }
 
-// The form that adds fewest operations; `completed` adds what is the same in all forms.
+// The form of the moment that adds the fewest operations; `completed` adds the terms that all forms share.
 template <class Complete>
 Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularState& state, const Complete& completed) {
   const std::size_t start = graph.mark();
@@ -106,7 +107,8 @@ Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularStat
 
 }  // namespace
 
-// Off the diagonal w_r w_c plus or minus the remaining component of wd; on it minus the squares of the others.
+// Off the diagonal: w_r w_c plus or minus the remaining component of wd. On the diagonal: minus the squares of the
+// other components of w.
 Expression AngularState::u(std::size_t row, std::size_t column) const {
   constexpr const char* axes = "xyz";
   const bool is_named = !link.empty();

@@ -17,7 +17,7 @@ namespace robcogen::algorithm {
 struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
-  // What elements of U and products of w are called after (symbolic::Graph::describe); empty: nothing.
+  // The link after which elements of U and products of w are named (symbolic::Graph::describe); empty: no names.
   std::string link = {};
 
   // An element of U, created on demand so that the costs of different forms of the moment can be compared.
@@ -36,17 +36,17 @@ struct LinkMotion {
 // The motion of a base with this twist and spatial acceleration; gravity is part of the result.
 LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
 
-// What turns in a link beside the link itself: its momentum is `momentum` times `rate`, in link axes, and takes the
-// moment momentum * acceleration + w x (momentum * rate).
+// A part that spins in a link, in addition to the motion of the link: its momentum is `momentum` times `rate`, in link
+// axes, and takes the moment momentum * acceleration + w x (momentum * rate).
 struct Spin {
   Vector3 momentum;
   Expression rate;
   Expression acceleration;
 };
 
-// The wrench that gives the link this motion, about its origin, and the moment that its spins take. Of equivalent forms
-// of the moment, the one that adds fewest operations to those that are there already. With `only_z_moment` only that
-// component is computed.
+// The wrench about the link's origin that gives the link this motion, including the moment that its spins take. Of
+// equivalent forms of the moment, the one that adds the fewest operations to the existing ones is used. With
+// `only_z_moment` only that component is computed.
 Force link_wrench(
     Trace& trace,
     const MassProperties& m,

@@ -3,7 +3,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-// S about a point displaced by -p: S + h2 p' + p h2' with h2 = h + m p / 2; and h + m p.
+// The mass properties about a point displaced by -p: S + h2 p' + p h2' with h2 = h + m p / 2, and h + m p.
 MassProperties displaced(const MassProperties& m, const Vector3& p) {
   if (is_zero(p)) return m;
   MassProperties result = m;

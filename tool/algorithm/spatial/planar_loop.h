@@ -1,4 +1,4 @@
-// A loop in a plane: pivots, and where they are.
+// The pivots of a loop in a plane, and their positions.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace robcogen::algorithm {
 
 class Trace;
 
-// A joint, or the end of the loop behind the last one, as the plane has it at q = 0.
+// A joint, or the end of the loop behind the last joint, in the plane at q = 0.
 struct Pivot {
   int joint = -1;
-  int sense = 0;  // 1, -1; 0 of a joint that slides
+  int sense = 0;  // 1, -1; 0 for a joint that slides
   bool is_dependent = false;
   Vector2 step;            // from the pivot before
   Vector2 direction = {};  // of a joint that slides
@@ -31,14 +31,14 @@ struct PlanarChain {
   const std::vector<Pivot>& pivots;
   const std::vector<symbolic::Expression>& q;
 
-  // By those joints from `first` up to `last`, without this one, that do not follow.
+  // The turn by the joints from `first` up to, but without, `last` that do not follow others.
   Vector2 turn(std::size_t first, std::size_t last) const;
-  // From a pivot to another one behind it, as seen from behind the first; both may follow, no joint between does.
-  // `first` is -1 for the origin of the plane.
+  // The vector from a pivot to another one behind it, in the axes behind the first; both may follow others, no joint
+  // between does. `first` is -1 for the origin of the plane.
   Vector2 reach(int first, std::size_t last) const;
 };
 
-// What is known of one end where all positions are.
+// One end of a loop when all positions are known.
 struct Posture {
   std::vector<Vector2> origins;     // of the pivots
   std::vector<Vector2> directions;  // of joints that slide

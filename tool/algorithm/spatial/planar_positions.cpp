@@ -17,7 +17,7 @@ struct Unknown {
   const Pivot* pivot = nullptr;
 
   bool slides() const { return pivot->sense == 0; }
-  // Of one that turns.
+  // The position of a joint that turns.
   Expression angle(const Vector2& turn) const { return atan2(pivot->sense > 0 ? turn.y : -turn.y, turn.x); }
 };
 
@@ -29,7 +29,7 @@ std::vector<Unknown> unknowns(const PlanarLoop& loop) {
   return result;
 }
 
-// To `last`, or to the point that closes the loop.
+// The vector from the joint to `last`, or to the point that closes the loop.
 Vector2 reach_behind(const Unknown& joint, const Chains& chains, std::size_t last) {
   return chains[joint.end].reach(static_cast<int>(joint.place), last);
 }
@@ -37,7 +37,7 @@ Vector2 reach_behind(const Unknown& joint, const Chains& chains) {
   return reach_behind(joint, chains, chains[joint.end].pivots.size() - 1);
 }
 
-// From the origin of the plane: to the point that closes the loop, and to the joint.
+// The vectors from the origin of the plane to the point that closes the loop, and to the joint.
 Vector2 reach_of(const PlanarChain& chain) {
   return chain.reach(-1, chain.pivots.size() - 1);
 }

@@ -5,8 +5,8 @@
 
 namespace robcogen::algorithm {
 
-// `q`, by joint, with the positions of the joints that follow; `branch` as of model::Closure. Where the loop cannot
-// close they are not numbers.
+// Returns `q` (by joint) with the positions of the joints that follow; `branch` as in model::Closure. If the loop
+// cannot close, they are NaN.
 std::vector<symbolic::Expression> closed_positions(
     symbolic::Graph& graph,
     const PlanarLoop& loop,

@@ -9,7 +9,7 @@ namespace {
 using model::PrimitiveTransform;
 using model::Quantity;
 
-// An angle as quarter turns plus a rest; the rest is zero, or no multiple of 90 degrees.
+// An angle as quarter turns plus a rest, which is zero or not a multiple of 90 degrees.
 struct Angle {
   int quarters = 0;
   Expression rest;
@@ -65,7 +65,7 @@ class RotationBuilder {
     planes_.push_back({PlaneRotation::kAnyAxis, {}, rotation_by_quaternion(graph, quaternion).matrix});
   }
 
-  // The z axis of the rotated frame as ± an axis of the parent frame: {axis, sign}; {-1, 0} when it is none.
+  // The z axis of the rotated frame as ± an axis of the parent frame: {axis, sign}; {-1, 0} if it is not along one.
   std::pair<int, int> aligned_z() const {
     for (const Plane& plane : planes_)
       if (plane.axis != 2) return {-1, 0};
@@ -132,7 +132,7 @@ Pose pose_of(
   for (const PrimitiveTransform& primitive : primitives) {
     const int axis = static_cast<int>(primitive.axis);
     if (primitive.rotation) {
-      // A slide that something turns after is an ordinary offset.
+      // A slide before another rotation is an ordinary offset.
       if (!pose.slide.is_zero()) {
         pose.offset += to_parent(rotation.finish(), {Expression(), Expression(), pose.slide});
         pose.slide = Expression();
@@ -177,7 +177,7 @@ Force to_parent(const Pose& X_PC, const Force& F_C) {
 }
 
 Motion to_parent(const Pose& X_PC, const Motion& V_C) {
-  // The dual rule: linear parts move as moments do.
+  // By duality, linear parts of motions transform as moments do.
   const Force moved = to_parent(X_PC, Force{V_C.linear, V_C.angular});
   return {moved.linear, moved.moment};
 }

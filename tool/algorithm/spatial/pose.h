@@ -30,8 +30,7 @@ Pose pose_of(
 
 // A force on the child C, about the parent's origin in the parent's axes.
 Force to_parent(const Pose& X_PC, const Force& F_C);
-// The motion of a body about the child's origin in the child's axes, about the parent's origin in the parent's axes;
-// and back.
+// The motion of a body, from the child's origin and axes to the parent's origin and axes; and back.
 Motion to_parent(const Pose& X_PC, const Motion& V_C);
 Motion to_child(const Pose& X_PC, const Motion& V_P);
 

@@ -17,7 +17,7 @@ Vector3 rotate(const PlaneRotation& r, const Vector3& v, bool transposed) {
   return result;
 }
 
-// R m R' of a symmetric m. As R is orthogonal, so is m - m_zz 1 in place of m, with one element less.
+// R m R' for a symmetric m. Because R is orthogonal, it is R (m - m_zz 1) R' + m_zz 1, which has one element less.
 Matrix3 symmetric_product(const Matrix3& R, const Matrix3& m) {
   Matrix3 rest = m;
   for (std::size_t i = 0; i < 3; ++i) rest[i][i] = i == 2 ? Expression() : m[i][i] - m[2][2];

@@ -10,8 +10,8 @@
 
 namespace robcogen::algorithm {
 
-// Rotation by one angle about one coordinate axis: 4 multiplications and 2 additions for a vector. Or any rotation, as
-// a matrix: 9 and 6.
+// A rotation by one angle about one coordinate axis (4 multiplications and 2 additions for a vector), or any rotation
+// as a matrix (9 and 6).
 struct PlaneRotation {
   int axis = 2;                                // 0, 1, 2; kAnyAxis with a matrix
   Expression c;                                // cosine
@@ -21,11 +21,12 @@ struct PlaneRotation {
   static constexpr int kAnyAxis = -1;
 };
 
-// Of the unit quaternion w, x, y, z: the matrix is quadratic in its elements (Featherstone 2008, eq. 4.12).
+// The rotation of the unit quaternion w, x, y, z: the matrix is quadratic in its elements (Featherstone 2008, eq.
+// 4.12).
 PlaneRotation rotation_by_quaternion(Graph& graph, const std::array<Expression, 4>& q);
 
-// A rotation by a multiple of 90 degrees: image[i] is the axis that row i picks, sign[i] its sign. (P v)_i =
-// sign[i] v_image[i]. Free.
+// A rotation by a multiple of 90 degrees: image[i] is the axis that row i picks, sign[i] its sign. (P v)_i = sign[i]
+// v_image[i]. It costs nothing.
 struct QuarterTurns {
   std::array<int, 3> image{0, 1, 2};
   std::array<int, 3> sign{1, 1, 1};
@@ -44,7 +45,7 @@ struct Rotation {
 
 Vector3 to_parent(const Rotation& r, const Vector3& v);  // R v
 Vector3 to_child(const Rotation& r, const Vector3& v);   // R' v
-// R M R'. The symmetric form wants a symmetric matrix, both triangles of it, and returns one.
+// R M R'. The symmetric form takes a symmetric matrix with both triangles, and returns one.
 Matrix3 symmetric_to_parent(const Rotation& r, const Matrix3& m);
 Matrix3 general_to_parent(const Rotation& r, const Matrix3& m);
 

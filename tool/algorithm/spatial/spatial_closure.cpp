@@ -12,19 +12,19 @@ namespace {
 using model::LoopType;
 using Axes = std::array<Vector3, 3>;
 
-// A joint of an end, in the last link that carries both ends.
+// A joint of an end, in the frame of the last link that carries both ends.
 struct Screw {
   int joint = -1;
   Vector3 turn, slide;  // by unit motion
   Vector3 origin;
 };
 
-// The frame of an end there, and how velocities make it move.
+// The frame of an end in that frame, and its motion.
 struct End {
   std::vector<Screw> screws;
   Axes axes;
   Vector3 point;
-  Vector3 w, wd;                   // angular velocity, and acceleration where joints do not accelerate
+  Vector3 w, wd;                   // angular velocity, and acceleration if joints do not accelerate
   Vector3 velocity, acceleration;  // of the point
 };
 
@@ -34,7 +34,8 @@ Vector3 combined(const Axes& axes, const Vector3& v) {
   return sum;
 }
 
-// Half the sum of the cross products of the axes: the sine of the angle between both frames, about its axis.
+// Half the sum of the cross products of the axes: the axis of the rotation between both frames times the sine of its
+// angle.
 Vector3 turn_between(const Axes& first, const Axes& second, Graph& graph) {
   Vector3 sum;
   for (std::size_t k = 0; k < 3; ++k) sum += cross(first[k], second[k]);
@@ -45,7 +46,7 @@ void append(std::vector<Expression>& rows, const Vector3& v) {
   rows.insert(rows.end(), v.element.begin(), v.element.end());
 }
 
-// The rows of a loop: of its second end as seen from the first one.
+// The rows of a loop: its second end as seen from the first one.
 class LoopRows {
  public:
   LoopRows(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q, Positions positions)
@@ -101,7 +102,7 @@ class LoopRows {
       return {of_velocity + dot(apart, acceleration)};
     }
     if (loop_.type == LoopType::slider) {
-      // As seen from the first frame, which turns.
+      // The acceleration is seen from the first frame, which turns.
       const Vector3 seen = velocity - cross(first.w, apart);
       acceleration -= cross(first.wd, apart) + cross(first.w, cross(first.w, apart) + seen + seen);
     }
@@ -119,7 +120,7 @@ class LoopRows {
     return rows;
   }
 
-  // Force and moment of the second end on the first one; of a point the force alone, of a distance how it is pressed.
+  // Force and moment of the second end on the first one; for a point the force alone, for a distance its compression.
   std::vector<Expression> force_of(const std::vector<Expression>& lambda) const {
     if (loop_.type == LoopType::distance) {
       const Vector3 apart = ends_[1].point - ends_[0].point;
@@ -153,13 +154,14 @@ class LoopRows {
   bool fixes_axes() const { return loop_.type == LoopType::slider || loop_.type == LoopType::weld; }
   Expression half() const { return trace_.graph.constant(0.5); }
 
-  // Along what a slider leaves free nothing is asked.
+  // The rows of a vector between the points; a slider has none along its free axis.
   std::vector<Expression> of_points(const Vector3& v) const {
     if (loop_.type == LoopType::slider) return {dot(ends_[0].axes[0], v), dot(ends_[0].axes[1], v)};
     return {v[0], v[1], v[2]};
   }
 
-  // The rate of the second z axis along the first x and y axes is that of the angular velocity along these.
+  // The rates of the second z axis along the first x and y axes are the parts of the angular velocity along these
+  // directions.
   std::array<Vector3, 2> hinge_directions() const {
     const Vector3& axis = ends_[1].axes[2];
     return {cross(axis, ends_[0].axes[0]), cross(axis, ends_[0].axes[1])};
@@ -209,7 +211,7 @@ class SpatialClosure : public TracedClosure {
     for (const int loop : closure.loops) loops_.emplace_back(trace, trace.tree.loops[at(loop)], q, positions);
   }
 
-  // By joint that follows.
+  // The step of each joint that follows.
   std::vector<Expression> newton_step() {
     const std::vector<Expression> rows = error();
     return dependent_columns().solve(rows);

@@ -3,7 +3,7 @@
 namespace robcogen::algorithm {
 namespace {
 
-// About a point displaced by -p: B' = B + [p]x M, A' = A - B' [p]x + [p]x B'.
+// The inertia about a point displaced by -p: B' = B + [p]x M, A' = A - B' [p]x + [p]x B'.
 SpatialInertia displaced(const SpatialInertia& x, const Vector3& p) {
   if (is_zero(p)) return x;
   const Matrix3 k = skew(p);

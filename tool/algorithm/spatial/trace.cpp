@@ -141,7 +141,7 @@ std::vector<Expression> Trace::accelerations_at_rest() {
   return by_joint("qdd", Role::joint_acceleration, std::vector<Expression>(at(tree.dof())));
 }
 
-// Where formulas close loops, sines and cosines are known: nothing is differentiated beyond them.
+// If formulas close a loop, the rates of its sines and cosines are given: nothing is differentiated beyond them.
 std::vector<symbolic::Rate> Trace::motion_of_positions(const std::vector<Expression>& qd) {
   std::vector<symbolic::Rate> motion;
   for (std::size_t j = 0; j < tree.joints.size(); ++j) motion.push_back({positions_[j], qd[j]});
@@ -177,7 +177,7 @@ std::vector<Expression> Trace::reference_acceleration_input(
     const std::string& name,
     const std::vector<Expression>& qd,
     const std::vector<Expression>& v) {
-  velocities_.clear();  // v takes their part
+  velocities_.clear();  // `v` replaces them
   std::vector<Expression> rates = joint_input(name, Role::joint_acceleration);
   const std::vector<Expression> added = added_by_loops(qd, v);
   for (std::size_t j = 0; j < added.size(); ++j) rates[j] += added[j];
@@ -214,7 +214,7 @@ std::vector<std::vector<Expression>> Trace::reactions(
     const std::vector<std::vector<Expression>> of_closure = closed.reaction(forces);
     for (std::size_t k = 0; k < of_closure.size(); ++k) result[at(closure.loops[k])] = of_closure[k];
   };
-  // Loops that take joints of others as given come behind these.
+  // From last to first: loops that take joints of others as given come after these.
   for (std::size_t k = closures_.size(); k-- > 0;) add(tree.closures[k], *closures_[k]);
   for (std::size_t k = tree.parallelograms.size(); k-- > 0;)
     add(tree.parallelograms[k], *traced_open(*this, tree.parallelograms[k], q));

@@ -19,7 +19,7 @@ class ProgramTrace {
 
   Graph graph;
 
-  // Inputs, outputs: arrays in the order of the calls. Matrices are given column by column.
+  // Inputs and outputs: arrays in the order of the calls. Matrices are given column by column.
   std::vector<Expression> input(const std::string& name, symbolic::Role role, std::vector<std::string> elements);
   // Declares the input `parameters`, unless there are none. Quantities that depend on one can be lifted from then on.
   void parameter_input(const std::vector<model::Parameter>& parameters);
@@ -37,7 +37,7 @@ class ProgramTrace {
 
   // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
   void section(const std::string& subject, const std::string& title);
-  // `<before><subject><after>`, which is put together only where names are kept.
+  // The same with the title `<before><subject><after>`, which is put together only if names are kept.
   void section(const std::string& subject, const char* before, const char* after);
 
   // `variables` are the values of the model's variables; for robots the joint positions.
@@ -45,7 +45,7 @@ class ProgramTrace {
   Vector3 lift(const std::array<model::Quantity, 3>& q, const std::vector<Expression>& variables = {});
 
   symbolic::Program program(const std::string& name) const;
-  // What that program costs, without making it unless the model has parameters.
+  // The cost of that program, without building it unless the model has parameters.
   symbolic::Weight weight() const;
 
  protected:
@@ -58,7 +58,7 @@ class ProgramTrace {
   int input_elements_ = 0;
 };
 
-// Values that a robot's parameters may have: their defaults, or numbers near one.
+// Possible values of a robot's parameters: their defaults, or numbers near one.
 std::vector<double> parameter_values(const model::KinematicTree& tree);
 
 // A program under construction, over a robot.
@@ -69,21 +69,22 @@ class Trace : public ProgramTrace {
 
   const model::KinematicTree& tree;
 
-  // One element a coordinate.
+  // An input with one element per coordinate.
   std::vector<Expression> coordinate_input(const std::string& name, symbolic::Role role);
-  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates. Behind positions
-  // are the scalar parts of the quaternions of spherical joints, whose components have the other parts.
+  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates. Positions are
+  // followed by the scalar parts of the quaternions of spherical joints; the components of these joints have the other
+  // parts.
   std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
-  // The same of all joints, from values of the coordinates.
+  // The same, from values of the coordinates.
   std::vector<Expression> by_joint(
       const std::string& name,
       symbolic::Role role,
       const std::vector<Expression>& coordinates);
-  // Of all joints where those of the coordinates are zero: what the velocities that the trace had last make joints do
-  // that follow through loops.
+  // The accelerations of all joints if those of the coordinates are zero. They come from joints that follow others
+  // through loops, at the last velocities of the trace.
   std::vector<Expression> accelerations_at_rest();
-  // Of a motion `v` of all joints that keeps loops closed: what is added to its rate, by joint, while joints move with
-  // `qd` (dG/dt y for v = G y).
+  // For a motion `v` of all joints that keeps loops closed: the terms that are added to its rate, by joint, while
+  // joints move with `qd` (dG/dt y for v = G y).
   std::vector<Expression> added_by_loops(const std::vector<Expression>& qd, const std::vector<Expression>& v);
   // The rates of such a motion, from an input of those of the coordinates.
   std::vector<Expression> reference_acceleration_input(
@@ -92,16 +93,16 @@ class Trace : public ProgramTrace {
       const std::vector<Expression>& v);
   // Elements of q, from positions by joint as joint_input returns them.
   std::vector<Expression> positions(const std::vector<Expression>& joints) const;
-  // The rate of a joint that follows through a loop, over those of coordinates.
+  // The rate of a joint that follows others through a loop, as a combination of those of coordinates.
   const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
-  // By loop: what its second end pushes its first one with (TracedClosure::reaction), by the forces that a motion needs
-  // at all joints, at the positions q by joint.
+  // By loop: the force of its second end on its first one (TracedClosure::reaction), from the forces that a motion
+  // needs at all joints, at the positions q by joint.
   std::vector<std::vector<Expression>> reactions(const std::vector<Expression>& q, std::vector<Expression> forces);
   // The pose of the base in the world: unit quaternion w, x, y, z, then position.
   std::vector<Expression> base_pose_input();
   Vector3 vector_input(const std::string& name, symbolic::Role role);
   Motion motion_input(const std::string& name, symbolic::Role role);
-  // One wrench a link, base first, in link coordinates about the link's origin; zero for repeated links.
+  // One wrench per link, base first, in link coordinates about the link's origin; zero for repeated links.
   std::vector<Force> link_wrench_input();
 
  private:
@@ -111,7 +112,7 @@ class Trace : public ProgramTrace {
 
   std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
-  // By coordinate, then the scalar parts of quaternions, then joints that follow in q.
+  // Positions by coordinate, then the scalar parts of quaternions, then joints that follow others in q.
   std::vector<Expression> position_input(const std::string& name);
 };
 

@@ -45,9 +45,9 @@ Vector2 turned_back(const Vector2& turn, const Vector2& v) {
 
 namespace {
 
-// With the reciprocal of the square of their length.
+// The turn between two vectors, given the reciprocal of the square of their length.
 Vector2 turn_between(const Vector2& from, const Vector2& to, const Expression& reciprocal) {
-  // Of sides that are constant the quotients are, too.
+  // If a side is constant, so are these quotients.
   const Vector2 scaled = reciprocal * from;
   const Expression c = dot(scaled, to), s = cross(scaled, to);
   return {c, s};
@@ -71,8 +71,8 @@ Vector2 turn_between(const Vector2& from, const Vector2& to) {
 
 namespace {
 
-// The vertex of a triangle on the side `base`, by the squares of the sides that end at its beginning and at its end.
-// With p D = (D^2 + a^2 - b^2) / 2 = k and D x p = h, h^2 = a^2 D^2 - k^2.
+// The vertex of a triangle on the side `base`, from the squares of the sides that meet the base at its beginning and at
+// its end. With p D = (D^2 + a^2 - b^2) / 2 = k and D x p = h, h^2 = a^2 D^2 - k^2.
 Vector2 vertex(const Expression& aa, const Expression& bb, const Vector2& base, double branch) {
   const Expression dd = dot(base, base);
   const Expression difference = aa - bb;

@@ -44,7 +44,7 @@ Matrix3 operator*(const Matrix3& a, const Matrix3& b);
 Matrix3 transposed(const Matrix3& m);
 
 // a b + c d, a b - c d. C++ leaves open which operand of an operator is evaluated first, and the order in which nodes
-// are created decides how equal programs are spelled: these go from left to right with every compiler.
+// are created decides the text of equal programs: these functions go from left to right with every compiler.
 Expression sum_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
 Expression difference_of_products(const Expression& a, const Expression& b, const Expression& c, const Expression& d);
 

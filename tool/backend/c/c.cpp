@@ -7,7 +7,7 @@
 namespace robcogen::backend::c {
 namespace {
 
-// Names that model.h has, without the prefix.
+// The names in model.h, without the prefix.
 constexpr std::string_view kOthers =
     "cache cachef update updatef default_parameters default_parametersf dof frame_names joint_effort joint_lower "
     "joint_names joint_upper joint_velocity limb limb_element limbs link_count link_names parameter_count "
@@ -15,7 +15,7 @@ constexpr std::string_view kOthers =
 
 using File = PlannedFile<Names>;
 
-// First the one that includes all headers.
+// The file that includes all headers comes first.
 std::vector<File> files(const std::string& prefix, const std::vector<std::string>& groups) {
   const std::string folder = prefix + "_c", path = folder + "/";
   std::string includes = "#include \"" + path + "model.h\"\n";
@@ -37,7 +37,8 @@ std::vector<std::string> outputs(const std::string& prefix, const std::vector<st
   return paths(files(prefix, groups));
 }
 
-// Behind the prefix every name is free. Those of single precision give way: they are the younger ones.
+// With the prefix, no name is reserved. In a clash, the single-precision name gives way, because the double-precision
+// names are older.
 Names names(const Library& library) {
   const std::string prefix = flat(library.enclosing, library.name), start = prefix + "_";
   Names result{library, prefix, prefix + "_c", {}};

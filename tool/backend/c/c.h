@@ -1,4 +1,4 @@
-// C99: functions on arrays, in double and in single precision, that need <math.h> and nothing else.
+// C99: functions on arrays, in double and in single precision, that need only <math.h>.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace robcogen::backend::c {
 
-// In front of the groups of a robot.
+// The group that precedes the other groups of a robot.
 inline constexpr const char* kParametersGroup = "parameters";
 
-// The files of a library with these groups, relative. They follow from the arguments alone. The prefix is the name
-// after the enclosing namespaces, `left_arm`.
+// The files of a library with these groups, as relative paths. They depend on the arguments alone. The prefix is the
+// name of the library after its enclosing namespaces, `left_arm`.
 std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups);
 
-// <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
-// <prefix>_c.h, which includes all headers. Functions are <prefix>_<kernel>, in single precision with an f behind. All
-// arguments are arrays, results behind inputs; matrices column by column. Functions of a robot with parameters take a
-// structure first that <prefix>_update of parameters.h computes of the parameters; those of transforms, the parameters.
+// Prints <prefix>_c/<group>.h, .c and _f.c for each group, model.h and model.c with names, limits and parameters, and
+// <prefix>_c.h, which includes all headers. Functions are called <prefix>_<kernel>, with a final f in single precision.
+// All arguments are arrays, results after inputs; matrices are stored column by column. If a robot has parameters, its
+// functions take a structure first, which <prefix>_update of parameters.h computes from the parameters; the functions
+// of transforms take the parameters themselves.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::c

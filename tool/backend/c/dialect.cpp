@@ -8,7 +8,7 @@
 namespace robcogen::backend::c {
 namespace {
 
-// Keywords of C and C++, since headers are for both, and macros of system headers.
+// The keywords of C and C++, because headers are for both, and the macros of system headers.
 bool is_reserved(const std::string& name) {
   return name == "restrict" || c_family::is_reserved(name);
 }

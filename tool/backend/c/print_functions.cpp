@@ -35,12 +35,12 @@ std::string documentation(const Names& names, const Callable& c, const std::vect
   return comment(describe_function(names.library, *c.function, arrays, {}, words));
 }
 
-// No other name has two underscores that follow each other.
+// No other name has two consecutive underscores.
 std::string private_name(const Names& names, const std::string& name, const Precision& precision) {
   return names.prefix + "__" + name + precision.suffix;
 }
 
-// `start`: `void name`.
+// `start` is the return type and the name, `void name`.
 std::string definition(const Names& names, const Callable& c, const std::string& start, const Precision& precision) {
   const Dialect d = dialect(precision, c.reads_cache);
   const Kernel kernel = lower(c.function->program, c.function->kernel, d);
@@ -60,7 +60,8 @@ std::string definition(const Names& names, const Callable& c, const std::string&
   return text + head + calls + "}\n";
 }
 
-// `f_column`, which solves for one column, and `f_columns`, which replaces columns of a matrix by their solutions.
+// Prints `f_column`, which solves for one column, and `f_columns`, which replaces columns of a matrix by their
+// solutions.
 std::string print_column_solver(const Names& names, const Function& solution, const Precision& precision) {
   const std::string rows = std::to_string(solution.program.outputs.front().rows), scalar = precision.scalar;
   const std::string column = private_name(names, solution.kernel, precision);
@@ -75,7 +76,7 @@ std::string print_column_solver(const Names& names, const Function& solution, co
          ";\n  }\n}\n";
 }
 
-// Computes the right-hand sides, and puts solutions in their place.
+// Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Names& names, const Callable& c, const Precision& precision) {
   const Function& stage = right_sides(names.library, *c.function);
   const std::vector<Parameter> list = parameters(c.function->program, dialect(precision, c.reads_cache));
@@ -96,8 +97,8 @@ std::string print_column_loop(const Names& names, const Callable& c, const Preci
   return text + "}\n";
 }
 
-// Overloads have what solves their columns in common, which stands in front of the first of them: `printed` has the
-// names.
+// Overloads share the functions that solve for their columns. These precede the first overload; `printed` collects
+// their names.
 std::string print_function(
     const Names& names,
     const Callable& c,
@@ -115,7 +116,7 @@ bool has_update(const Names& names, const std::string& group) {
 
 constexpr const char* kUpdate = "void @_update$(const @_parameters$ *parameters, @_cache$ *cache)";
 
-// Computes the parts of the cache one after the other.
+// Prints the function that computes the parts of the cache one after the other.
 std::string print_update(const Names& names, const Precision& precision) {
   std::string calls;
   const Callable* update = names.callables.data() + names.library.functions.size();

@@ -39,15 +39,15 @@ typedef struct {
 // A limb without a name ends them.
 )";
 
-// What model.c defines: `const double hyl_joint_lower[3]`, and its values.
+// A constant that model.c defines: `const double hyl_joint_lower[3]`, and its values.
 struct Constant {
-  std::string before;  // its declaration in model.h: what it is, and its type; empty: there is none
+  std::string before;  // its comment and type in model.h; empty: not declared there
   std::string head;
   std::vector<std::string> values;
   std::string open = " = {";
 };
 
-// Lists of names end with a null pointer: a list of none is legal.
+// A list of names ends with a null pointer, so that an empty list is legal.
 Constant constant(const Names& names, const Table& table) {
   std::vector<std::string> values;
   for (const std::string& text : table.texts) values.push_back(quoted(text));
@@ -59,7 +59,7 @@ Constant constant(const Names& names, const Table& table) {
       type + names.prefix + "_" + subscripted(table.name, values.size()), values};
 }
 
-// The elements of all limbs, which stand in one list, and the limbs.
+// The elements of all limbs, in one list, and the limbs.
 std::vector<Constant> limbs(const Names& names) {
   const std::string limb = names.prefix + "_limb", elements = limb + "_elements";
   std::vector<std::string> values, rows;

@@ -1,4 +1,4 @@
-// C99 as a dialect, the names of a library, and the printers behind `print`: each makes the text of one kind of file.
+// C99 as a dialect, the names of a library, and the printers behind `print`, one for each kind of file.
 #pragma once
 
 #include <string>
@@ -18,28 +18,28 @@ using c_family::quoted;
 
 struct Precision {
   std::string scalar;    // the type
-  std::string suffix;    // of names: of functions of <math.h> and of ours
-  std::string file_end;  // of the name of a source
+  std::string suffix;    // suffix of function names, in <math.h> and in the library
+  std::string file_end;  // end of a source file's name
   bool is_float = false;
 };
 
 inline const Precision kDouble = {"double", "", ".c"}, kFloat = {"float", "f", "_f.c", true};
 inline const std::vector<Precision> kPrecisions = {kDouble, kFloat};
 
-// Where functions read a cache, parameters are elements of its array; otherwise members of their structure.
+// Where functions read a cache, parameters are elements of its array; otherwise they are members of a structure.
 Dialect dialect(const Precision& precision, bool reads_cache);
 
-// A literal of any value; in single precision the nearest one, infinite beyond the largest.
+// A literal of any value. In single precision it is the nearest one, infinite beyond the largest.
 std::string number(double value, const Precision& precision);
 
-// `head(items)tail`, in several lines where one is too long.
+// `head(items)tail`, on several lines if one would be too long.
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
 
-// A function under its names in C, by precision.
+// A function with its names in C, one per precision.
 struct Callable {
   const Function* function = nullptr;
   std::string name, name_in_float;
-  bool reads_cache = false;  // what it reads of the parameters was computed before
+  bool reads_cache = false;  // it takes the cache, computed beforehand from the parameters
 
   const std::string& name_in(const Precision& precision) const { return precision.is_float ? name_in_float : name; }
 };
@@ -51,13 +51,13 @@ struct Names {
   std::string folder;               // `hyl_c`
   std::vector<Callable> callables;  // in the order of Library::functions, then Library::updates
 
-  // The text with the prefix in place of @, the type for %, and what ends names for $.
+  // Replaces @ by the prefix, % by the scalar type, and $ by the suffix of names.
   std::string in(const Precision& precision, std::string text) const;
 };
 
 Names names(const Library& library);
 
-// A header with its guard around what it declares.
+// A header: its guard around `body`.
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body);
 
 std::string print_model_header(const Names& names);

@@ -35,7 +35,7 @@ Matrix argument(const Library& library, const InputArray& input, const std::stri
   return {name, size, 1};
 }
 
-// Where columns are solved for in a loop, the program does not know the zeros.
+// The program of a function that solves for columns in a loop does not tell which results are zero.
 Matrix result(const Function& function, const OutputArray& output, const std::string& name) {
   const Program& program = function.program;
   Matrix m{name, static_cast<std::size_t>(output.rows), static_cast<std::size_t>(output.columns)};
@@ -54,7 +54,8 @@ Matrix result(const Function& function, const OutputArray& output, const std::st
   return m;
 }
 
-// {rows, columns, 1} where dense; else behind these two where each column begins, and the row of each element.
+// {rows, columns, 1} for a dense matrix. Otherwise rows and columns, then where each column begins, then the row of
+// each element.
 std::string sparsity(const Matrix& m, const std::string& name) {
   std::vector<std::string> numbers = {std::to_string(m.rows), std::to_string(m.columns)};
   if (m.nonzeros.empty()) {
@@ -69,7 +70,7 @@ std::string sparsity(const Matrix& m, const std::string& name) {
   return wrapped("static const casadi_int " + name + "[" + std::to_string(numbers.size()) + "] = {", numbers, "};");
 }
 
-// F_name_in and F_sparsity_in, or those of results.
+// F_name_in and F_sparsity_in, or the same for results.
 std::string tables(const std::string& function, const std::vector<Matrix>& list, const std::string& end) {
   const std::string count = std::to_string(list.size());
   std::string text, patterns;

@@ -67,7 +67,7 @@ void AngleLines::define(const std::string& function, const Operand& argument, co
   lines_.add(std::move(line));
 }
 
-// The sines and cosines of `count` values; the first one is an element of `array`.
+// Computes the sines and cosines of `count` values, the first of which is an element of `array`.
 void AngleLines::compute_together(
     const std::string& all,
     const std::string& first,
@@ -79,7 +79,7 @@ void AngleLines::compute_together(
   lines_.add(std::move(line));
 }
 
-// Those of one of them.
+// Names the sine and cosine of one of these values, number k.
 void AngleLines::pick(const Angle& angle, const std::string& all, std::size_t k, int width) {
   Line line{Line::Kind::pick, {angle.sine_name, angle.cosine_name}, lines_.dialect().element(all, k), 0, width};
   line.names = {all};

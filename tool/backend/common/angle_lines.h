@@ -1,4 +1,4 @@
-// The lines that define sines and cosines: in pairs, alone, or those of several angles together.
+// The lines that define sines and cosines: in pairs, singly, or of several angles together.
 #pragma once
 
 #include <set>
@@ -12,13 +12,13 @@ class AngleLines {
  public:
   explicit AngleLines(KernelLines& lines) : lines_(lines) {}
 
-  // Of elements of inputs, together where the plan says so.
+  // Adds the sines and cosines of input elements, together where the plan says so.
   void add_those_of_inputs();
-  // Of values of a block that is loaded: together, where most of its columns are angles. Two lanes leave room for
-  // others in a register; four are as well computed where they are used.
+  // Adds the sines and cosines of the values of a loaded block together, if most of its columns are angles. With two
+  // lanes, a register has room for further angles; with four, computing them where they are used is as fast.
   void add_those_of_load(std::size_t load);
   void add(const AngleKey& key, const Angle& angle);
-  // Whether the sine and cosine of a statement stand with its block.
+  // Whether the sine and cosine of a statement were defined together with its block.
   bool are_done(int statement) const { return done_.contains(statement); }
 
  private:

@@ -1,4 +1,4 @@
-// What an arrangement says of single statements and operands.
+// The text of single statements and operands of an arrangement.
 #include <stdexcept>
 
 #include "backend/common/arrangement.h"
@@ -13,7 +13,7 @@ using symbolic::Statement;
 
 namespace {
 
-// What does not fit here would not compile, or would take one lane for another.
+// Without this check, a mismatch would fail to compile, or would take one lane for another.
 void require_lanes(const Arrangement& arranged, const Statement& s, const Spelling& value, int lanes) {
   if (value.width == lanes) return;
   throw std::logic_error(concat(
@@ -21,7 +21,7 @@ void require_lanes(const Arrangement& arranged, const Statement& s, const Spelli
        std::to_string(lanes), ": ", value.text}));
 }
 
-// An operand as it is, and what is to be computed has `lanes` of it.
+// Spells an operand as it is, and checks that it has `lanes` lanes.
 Spelling spell_checked(Arrangement& arranged, const Statement& s, const Operand& o, int lanes) {
   Spelling result = spell(arranged, o);
   require_lanes(arranged, s, result, lanes);

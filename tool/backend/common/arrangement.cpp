@@ -15,7 +15,7 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// By Dialect::binds_parameters.
+// Whether Dialect::binds_parameters applies to inputs of this role.
 bool is_bound(symbolic::Role role) {
   using symbolic::Role;
   return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
@@ -130,7 +130,7 @@ class ArrangementBuilder {
                             : kind == Operand::Kind::statement ? statement_names_[at(index)]
                                                                : statement_names_[at(angle.first)];
       if (lane >= 0) subject += "_" + std::to_string(lane);
-      // Both names and the argument's stand in one line.
+      // One line holds both names and that of the argument.
       const std::size_t limit = kind == Operand::Kind::input ? dialect_.name_limit : dialect_.name_limit * 5 / 6;
       const auto claim = [&](const std::string& name) {
         return arranged_.scope.claim(backend::shortened(name, limit, dialect_.is_reserved));
@@ -179,8 +179,8 @@ std::vector<Parameter> parameters(const Program& program, const Dialect& dialect
   return claim_parameters(program, dialect, scope);
 }
 
-// Names decide how long lines are, and what has to be a line of its own, and so has to have a name: two rounds, seldom
-// more.
+// Names decide how long lines are, and thereby which expressions need lines, and names, of their own. This takes two
+// rounds, rarely more.
 Arrangement arrange(const Program& program, const Dialect& dialect) {
   constexpr int kRounds = 4;
   const LinePlan plan = line_plan(program, dialect);

@@ -16,42 +16,42 @@ struct Arrangement : LinePlan {
   const Dialect& dialect;
   NameScope scope;
   std::vector<Parameter> parameters = {};
-  std::vector<Line> bindings = {};              // by Dialect::binds_parameters
+  std::vector<Line> bindings = {};              // if Dialect::binds_parameters
   std::vector<std::string> input_names = {};    // by flat index: `q[1]`
-  std::vector<std::string> input_sources = {};  // by flat index: what this text refers to: the array, or a binding
-  Texts texts = {};                             // of spellings; those of names are where these are
+  std::vector<std::string> input_sources = {};  // by flat index: the array or the binding that this text refers to
+  Texts texts = {};                             // the texts of spellings that are not names
   std::vector<Spelling> constants = {};
-  // By statement.
+  // Indexed by statement.
   std::vector<std::string> names = {};
-  std::vector<Spelling> spellings = {};    // how a user reads the statement, unless it stands inside
-  std::vector<Spelling> expressions = {};  // what it is: stands in its line, or inside its user
-  // Of the blocks that are loaded.
+  std::vector<Spelling> spellings = {};    // as its users read the statement, unless it stands inside its user
+  std::vector<Spelling> expressions = {};  // the expression, in a line of its own or inside its user
+  // Indexed by load of the block plan.
   std::vector<std::string> load_names = {};
 };
 
 Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 
-// Of a statement whose operands have their spellings.
+// The expression of a statement whose operands are already spelled.
 Spelling expression(Arrangement& arranged, std::size_t statement);
 
-// As the function reads it, and as an operand of a statement of so many lanes.
+// An operand as the function reads it, or as an operand of a statement with this many lanes.
 Spelling spell(Arrangement& arranged, const symbolic::Operand& o);
 Spelling spell(Arrangement& arranged, const symbolic::Operand& o, int lanes);
 Spelling lane_of(Arrangement& arranged, Spelling value, int lane);
 
-// The line of a statement that is not inside another; of one that is, the line that it would have by itself.
+// The line of a statement. For a statement that stands inside another, this is the line that it would have by itself.
 Line line(const Arrangement& arranged, std::size_t statement);
 
-// What the text of an operand in so many lanes, and that of a statement's line, refers to: Line::names.
+// The names (Line::names) that the text of an operand with this many lanes, or the line of a statement, refers to.
 void add_names(const Arrangement& arranged, const symbolic::Operand& o, int lanes, std::vector<std::string>& names);
 std::vector<std::string> names_in_line(const Arrangement& arranged, std::size_t statement);
 
-// The array of an output, and an element of it.
+// The array of an output, and one of its elements.
 const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);
 std::string target(const Arrangement& arranged, std::size_t output, std::size_t element);
 
-// What supplies the sine or cosine of this argument: that of the whole value where the argument is a lane of it and all
-// lanes are asked for.
+// The angle that supplies the sine or cosine of this argument. This is the whole value if the argument is a lane of it
+// and the sines and cosines of all lanes are computed.
 AngleKey supplier(const Arrangement& arranged, const symbolic::Operand& argument);
 
 }  // namespace robcogen::backend

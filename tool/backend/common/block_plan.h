@@ -13,10 +13,10 @@ namespace robcogen::backend {
 struct BlockPlan {
   std::vector<symbolic::Block> loads;
   symbolic::Stores stores;
-  std::map<std::size_t, std::size_t> load_at;                         // first statement that is a column -> load
-  std::multimap<std::size_t, std::size_t> store_after;                // last statement that is a column -> block
+  std::map<std::size_t, std::size_t> load_at;                         // first statement of the columns -> load
+  std::multimap<std::size_t, std::size_t> store_after;                // last statement of the columns -> block
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> loaded;  // statement -> load, column
-  std::vector<bool> is_column;                                        // by statement: of a block that is stored
+  std::vector<bool> is_column;                                        // by statement: it is a column of a stored block
   std::vector<std::vector<bool>> is_stored;                           // by output and element: by a block or a fill
 };
 

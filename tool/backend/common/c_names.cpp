@@ -28,7 +28,7 @@ constexpr auto kKeywords = std::to_array<std::string_view>({
 });
 
 // Macros of system headers and of compilers, and the types and variables of headers that a local name would shadow.
-// Names with a leading underscore need no entry: no identifier of ours has one.
+// Names with a leading underscore need no entry, because no generated identifier has one.
 constexpr std::string_view kSystemNames[] = {
 #include "backend/common/macros.inc"
 };
@@ -38,7 +38,7 @@ constexpr auto kOtherMacros = std::to_array<std::string_view>(
     {"DOMAIN", "FP_FAST_FMA", "HUGE", "NDEBUG", "OVERFLOW", "PLOSS", "SING", "TLOSS", "UNDERFLOW", "X_TLOSS", "i386",
      "imaginary", "sparc"});
 
-// Windows, macOS, X11, Qt, Arduino.
+// Macros of Windows, macOS, X11, Qt and Arduino.
 constexpr auto kPlatformMacros = std::to_array<std::string_view>({
     "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
     "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
@@ -46,7 +46,7 @@ constexpr auto kPlatformMacros = std::to_array<std::string_view>({
     "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
 });
 
-// Never iterated: it decides no order.
+// Never iterated, so that it decides no order.
 const std::unordered_set<std::string_view>& reserved() {
   static const std::unordered_set<std::string_view> names = [] {
     std::unordered_set<std::string_view> all(kKeywords.begin(), kKeywords.end());
@@ -58,14 +58,14 @@ const std::unordered_set<std::string_view>& reserved() {
   return names;
 }
 
-// A number for the first and the last character of a word, and how many such numbers there are.
+// A number for the pair of a word's first and last characters, and how many such numbers there are.
 constexpr std::size_t kEnds = 32 * 32;
 std::size_t ends(std::string_view word) {
   const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
   return 32 * number(word.front()) + number(word.back());
 }
 
-// Of all longer words the same.
+// The bit for the word's length. All longer words share the last bit.
 std::uint64_t length_bit(std::string_view word) {
   return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
 }
@@ -73,9 +73,9 @@ std::uint64_t length_bit(std::string_view word) {
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  // Most names are of other lengths than all reserved ones that begin and end as they do.
+  // Most names differ in length from all reserved names that begin and end with the same characters.
   static const auto lengths = [] {
-    std::array<std::uint64_t, kEnds> result{};  // a bit each
+    std::array<std::uint64_t, kEnds> result{};  // one bit per length
     for (const std::string_view word : reserved()) result[ends(word)] |= length_bit(word);
     return result;
   }();

@@ -1,12 +1,12 @@
-// Names that neither C nor C++ leaves to identifiers of generated code.
+// Names that generated code in C and C++ must not use as identifiers.
 #pragma once
 
 #include <string>
 
 namespace robcogen::backend::c_family {
 
-// Keywords of C++, and macros of compilers and of standard and system headers that would eat the name (`I`, `major`,
-// `linux`, `SIZE_MAX`, …). macros.inc lists them.
+// Whether the name is a keyword of C++, or a macro of a compiler or of a standard or system header, which would replace
+// the name (`I`, `major`, `linux`, `SIZE_MAX`, …). macros.inc lists the macros.
 bool is_reserved(const std::string& name);
 
 }  // namespace robcogen::backend::c_family

@@ -9,7 +9,7 @@ std::string comment(const std::string& text, std::size_t indent) {
   std::string clean = replaced(text, "??", "? ?");
   for (char& c : clean) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-    if (c == '\\') c = '/';  // at the end of a line it would swallow the next one
+    if (c == '\\') c = '/';  // a backslash at the end of a line would continue the comment
   }
   while (!clean.empty() && clean.back() == ' ') clean.pop_back();
   const std::string prefix = std::string(indent, ' ') + "// ";

@@ -7,12 +7,12 @@
 
 namespace robcogen::backend {
 
-// What one update computes: so many elements, from this one on.
+// The part of the cache that one update computes: `size` elements from `begin` on.
 struct CachePart {
   int begin = 0, size = 0;
 };
 
-// In the order of Library::updates.
+// The parts, in the order of Library::updates.
 std::vector<CachePart> cache_parts(const Library& library);
 
 int cache_size(const Library& library);

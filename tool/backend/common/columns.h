@@ -1,4 +1,4 @@
-// Functions that loop over right-hand sides (Function::solved): what languages print of them.
+// Functions that loop over right-hand sides (Function::solved): the pieces that languages print.
 #pragma once
 
 #include "backend/common/lower.h"
@@ -10,13 +10,13 @@ namespace robcogen::backend {
 // The stage that such a function calls.
 const Function& right_sides(const Library& library, const Function& function);
 
-// The solution of one column, as a function of the library's own machinery.
+// The solution of one column, as an internal function of the library.
 Function column_solution(const symbolic::SolvedColumns& solved);
 
-// Of such a function, which has no lines of its own: the parameters, all of them used.
+// The kernel of such a function. It has no lines, only parameters, all marked as used.
 Kernel without_lines(const Function& function, const Dialect& dialect);
 
-// Of all columns together where it loops.
+// The operations of a function; for a loop, those of all columns together.
 symbolic::OperationCount count(const Library& library, const Function& function);
 
 }  // namespace robcogen::backend

@@ -1,5 +1,4 @@
-// What a library tells about its robot, for languages that have it as data: which lists, of which items, with which
-// members. A back end spells them.
+// The data of a robot, for languages that represent it as lists of items with members. A back end spells them.
 #pragma once
 
 #include <string>
@@ -12,12 +11,12 @@
 namespace robcogen::backend {
 
 struct Constant;
-// Members of an item, in rows of those that stand together.
+// The members of an item, in rows of members that belong together.
 using Record = std::vector<std::vector<Constant>>;
 
 struct Constant {
   std::string name;
-  std::variant<std::string, double, int, std::vector<double>, Record> value;  // int: an index, from 0
+  std::variant<std::string, double, int, std::vector<double>, Record> value;  // int: a zero-based index
 };
 
 struct ConstantList {
@@ -25,19 +24,19 @@ struct ConstantList {
   std::vector<std::vector<Constant>> items;
 };
 
-// Joints, coupled joints, links, frames and limbs, in SI units; link 0 is the base, whose parent_joint is -1.
+// Joints, coupled joints, links, frames and limbs, in SI units. Link 0 is the base; its parent_joint is -1.
 std::vector<ConstantList> constants(const Library& library);
 
-// Whether joints follow through loops: by no factors, but by joint_positions.
+// Whether joints follow others through loops: joint_positions computes their positions, because they have no factors.
 bool has_closures(const Library& library);
 
-// What the lists and their members are, one text each.
+// Describes the lists and their members, one text each.
 std::vector<std::string> describe_constants(const Library& library);
 
-// How many a robot has, by the names that the counts have where they are constants: dof, link_count, ….
+// The sizes of a robot under the names that they have as constants: dof, link_count, ….
 std::vector<std::pair<std::string, std::size_t>> sizes(const Library& library);
 
-// A table of texts or numbers by which languages of plain arrays know the robot.
+// A table of texts or numbers that describes the robot, for languages that have only plain arrays.
 struct Table {
   std::string name, what;
   std::vector<std::string> texts = {};

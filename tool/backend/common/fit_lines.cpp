@@ -23,7 +23,7 @@ struct Part {
   std::size_t width = 0;
 };
 
-// The part of i's expression to take out first: the widest, products inside sums last.
+// Finds the part of statement i's expression to take out first: the widest, with products inside sums last.
 void consider_parts(const Arrangement& arranged, std::size_t i, Part& best) {
   if (arranged.places[i] == Place::sums) consider_parts(arranged, i + 1, best);
   const Statement& s = arranged.program.statements[i];
@@ -37,13 +37,13 @@ void consider_parts(const Arrangement& arranged, std::size_t i, Part& best) {
   });
 }
 
-// Two sums whose line is too long: each has its own.
+// Two sums of lanes whose common line is too long get a line each.
 void part_sums(Arrangement& arranged, std::size_t i) {
   arranged.places[i] = arranged.places[i + 1] = Place::own;
   arranged.expressions[i] = expression(arranged, i);
 }
 
-// A line is written to be measured only where it may be too long.
+// The line is written out and measured only if it may be too long.
 bool fits(const Arrangement& arranged, std::size_t i) {
   const std::size_t inner = arranged.spellings[i].text.size() + arranged.expressions[i].text.size();
   const bool is_definition = arranged.places[i] == Place::own || arranged.places[i] == Place::inside;
@@ -54,7 +54,7 @@ bool fits(const Arrangement& arranged, std::size_t i) {
   return first <= arranged.dialect.line_limit && rest <= arranged.dialect.line_limit + arranged.dialect.indentation;
 }
 
-// All that the part stood inside of is other text now, up to i.
+// Spells all statements again that the part stood inside of, up to i.
 void spell_users(Arrangement& arranged, std::size_t part, std::size_t i) {
   while (part != i) {
     part = at(arranged.users[part]);
@@ -62,7 +62,7 @@ void spell_users(Arrangement& arranged, std::size_t part, std::size_t i) {
   }
 }
 
-// Statements come in their order: what stands inside one is spelled, and fits, before it.
+// Statements are visited in order, so everything that stands inside this one is already spelled and fits.
 void fit(Arrangement& arranged, std::size_t i) {
   arranged.expressions[i] = expression(arranged, i);
   while (!fits(arranged, i)) {

@@ -1,4 +1,4 @@
-// The lines of a function while they are written, one after another.
+// The lines of a function while they are being written, one after another.
 #pragma once
 
 #include <string>
@@ -21,16 +21,16 @@ class KernelLines {
 
   void add(Line line) { kernel_.lines.push_back(std::move(line)); }
   void add_section(const std::string& title) { add({Line::Kind::section, {}, title}); }
-  // The section of a statement, where it is not that of the last line.
+  // Adds the heading of the statement's section, unless the last line belongs to the same section.
   void enter_section(std::size_t statement);
-  // A function that the lines call.
+  // Notes a function that the lines call.
   void need(const std::string& function);
 
-  // Of an operand as it is: its text, and what that refers to.
+  // The text of an operand as it stands, and the names that it refers to.
   std::string text_of(const symbolic::Operand& o) { return text(spell(arranged_, o)); }
   std::vector<std::string> names_of(const symbolic::Operand& o) const;
 
-  // With the elements of its outputs, where the dialect does not store them.
+  // The kernel. It lists the elements of the outputs if the dialect does not store them.
   Kernel kernel();
 
  private:

@@ -1,4 +1,4 @@
-// Lines that are not too long: lists that go on in further lines, and texts that break at blanks.
+// Lines that are not too long: lists that continue on further lines, and texts that break at blanks.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ namespace robcogen::backend {
 struct ListLayout {
   std::size_t columns = 100;
   std::string_view openers = "([";     // no blank stands between one of these and the first item
-  std::string_view separator = ",";    // behind each item but the last
+  std::string_view separator = ",";    // after each item but the last
   std::string_view continuation = "";  // at the end of a line that another one continues
-  bool keeps_first = true;             // the first item stands behind the head, however long it is
+  bool keeps_first = true;             // the first item follows the head, however long it is
   bool follows_head = true;            // further lines are indented by four more than the head; otherwise by four
 };
 
@@ -25,13 +25,13 @@ std::string wrapped(
     const std::vector<std::string>& items,
     const std::string& tail);
 
-// Lines of at most so many columns where blanks allow it, the first one behind `first`, the others behind `next`.
+// Breaks a text at blanks into lines of at most `columns`. The first line starts with `first`, the others with `next`.
 std::string wrapped_text(std::string text, std::size_t columns, const std::string& first, const std::string& next);
 
 // `array[k]`
 std::string subscripted(const std::string& array, std::size_t k);
 
-// Of a value that may be anything; in the shortest form, `2` where that is enough.
+// A number that may be NaN or infinite. short_number prints the shortest form, `2` where that is enough.
 std::string number(double value, const std::string& not_a_number, const std::string& infinity);
 std::string short_number(double value, const std::string& not_a_number, const std::string& infinity);
 

@@ -41,8 +41,8 @@ class LinePlanner {
   const Statement& statement(std::size_t i) const { return program_.statements[i]; }
 
   void find_uses() {
-    std::vector<int> uses(plan_.places.size(), 0);        // by statements that are needed
-    std::vector<bool> apart(plan_.places.size(), false);  // a lane of it is read, or it is spread to lanes
+    std::vector<int> uses(plan_.places.size(), 0);        // by statements that are needed themselves
+    std::vector<bool> apart(plan_.places.size(), false);  // a lane of it is read, or it is spread to all lanes
     const auto use = [&](const Operand& o, int user) {
       if (o.kind == Operand::Kind::input) plan_.inputs_used[at(o.index)] = true;
       if (!is_statement(o)) return;
@@ -78,7 +78,7 @@ class LinePlanner {
     }
   }
 
-  // Sums of lanes that follow each other are defined two by two.
+  // Consecutive sums of lanes are defined two at a time.
   void find_pairs_of_sums() {
     const auto is_sum_of_lanes = [&](std::size_t i) {
       return statement(i).op == Op::sum_lanes && plan_.places[i] != Place::nowhere;
@@ -108,11 +108,11 @@ class LinePlanner {
         stores.begin(), stores.end(), [&](const Store& store) { return store.negative == stores.front().negative; });
     if (dialect_.stores && uses == 0 && one_sign && stores.size() <= 2 && s.width == 1) return Place::output;
     if (uses != 1 || !stores.empty() || s.named) return Place::own;
-    // The argument of a sine is the argument of its cosine too, and of one definite type.
+    // A sine and a cosine may share this argument, and it must have one definite type.
     const Statement& u = statement(at(user));
     if (is_angle_function(u.op)) return Place::own;
     if (s.op == Op::gather && u.op == Op::gather) return Place::own;
-    // What belongs to one link stays with it, but a product always goes where it can be fused.
+    // A statement stays with the others of its link, but a product always moves to where it can be fused.
     const bool fusable = s.op == Op::multiply && is_sum(u.op);
     return fusable || s.section == u.section ? Place::inside : Place::own;
   }
@@ -120,12 +120,12 @@ class LinePlanner {
   void note_angle(std::size_t i) {
     const Statement& s = statement(i);
     Angle& angle = plan_.angles[key_of(s.a)];
-    angle.first = static_cast<int>(i);  // statements come last to first
+    angle.first = static_cast<int>(i);  // statements are visited last to first
     (s.op == Op::sine ? angle.sine : angle.cosine) = true;
-    if (s.width > 1) angle.sine = angle.cosine = true;  // of lanes, both come together only
+    if (s.width > 1) angle.sine = angle.cosine = true;  // for lanes, only both together exist
   }
 
-  // Where all lanes of a value have their sine and cosine, a single lane takes its own from there.
+  // If the sine and cosine of all lanes of a value exist, a single lane takes its own from these.
   void share_angles_of_lanes() {
     std::map<AngleKey, Angle>& angles = plan_.angles;
     for (auto angle = angles.begin(); angle != angles.end();) {
@@ -140,8 +140,8 @@ class LinePlanner {
     }
   }
 
-  // Decides whether sines and cosines of inputs are computed together: of one array, and most of the elements between
-  // the first and the last.
+  // Decides whether sines and cosines of inputs are computed together. They must belong to one array and include most
+  // of the elements between the first and the last.
   void find_angles_together() {
     std::vector<int> angles;
     for (const auto& [key, angle] : plan_.angles)

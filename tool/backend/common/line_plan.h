@@ -1,4 +1,4 @@
-// What becomes of the statements of a function, and of its inputs: decided before anything has a name.
+// What becomes of a function's statements and inputs, decided before anything has a name.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace robcogen::backend {
 struct Store {
   std::size_t output = 0, element = 0;
   bool negative = false;
-  int lane = -1;  // -1: of a scalar
+  int lane = -1;  // -1: the value is a scalar
 };
 
 // What becomes of a statement.
@@ -34,7 +34,7 @@ enum class Place {
 struct AngleKey {
   symbolic::Operand::Kind kind = symbolic::Operand::Kind::input;
   int index = 0;
-  int lane = -1;  // of a value with lanes: this one; -1: the whole
+  int lane = -1;  // a lane of a value; -1: the whole value
   friend auto operator<=>(const AngleKey&, const AngleKey&) = default;
 };
 
@@ -44,23 +44,23 @@ inline AngleKey key_of(const symbolic::Operand& argument) {
 
 // Sine and cosine of one argument.
 struct Angle {
-  int first = -1;  // statement that asks for it first
+  int first = -1;  // the first statement that needs it
   bool sine = false, cosine = false;
-  std::string sine_name, cosine_name;  // once values are named
+  std::string sine_name, cosine_name;  // set once values are named
 };
 
 struct LinePlan {
-  // By statement.
+  // Indexed by statement.
   std::vector<Place> places = {};
-  std::vector<int> users = {};  // of several, the first; -1: none
+  std::vector<int> users = {};  // the first user; -1: none
   std::vector<std::vector<Store>> stores = {};
 
   std::vector<int> widths = {};           // of values with lanes, ascending
-  std::map<AngleKey, Angle> angles = {};  // of a lane only where there is none of the whole value
-  int first_together = 0;                 // input element
-  std::size_t together = 0;               // how many from it on have their sines and cosines computed together; 0: none
-  BlockPlan blocks = {};                  // empty where nothing is stored
-  std::vector<bool> inputs_used = {};     // by flat index; not those that are loaded as part of a block
+  std::map<AngleKey, Angle> angles = {};  // a lane has an entry only if the whole value has none
+  int first_together = 0;                 // index of an input element
+  std::size_t together = 0;               // elements from there on with sines and cosines computed together; 0: none
+  BlockPlan blocks = {};                  // empty if the dialect does not store outputs
+  std::vector<bool> inputs_used = {};     // by flat index; false if loaded as part of a block
 
   // Whether a block or a fill stores this element.
   bool is_in_block(std::size_t output, std::size_t element) const {

@@ -16,7 +16,7 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 
-// Writes the lines of all statements, each with what belongs to it.
+// Writes the lines of all statements in order, each with the loads, angles and stores that belong to it.
 class Emission {
  public:
   explicit Emission(KernelLines& lines)
@@ -80,7 +80,7 @@ class Emission {
     angles_.add_those_of_load(k);
   }
 
-  // With the other one of the pair, where this statement asks for one of them first.
+  // Defines the sine or cosine, together with the other one of the pair, if this statement is the first to need either.
   void emit_angle(std::size_t i) {
     const Operand& argument = arranged_.program.statements[i].a;
     const AngleKey key = supplier(arranged_, argument);

@@ -14,7 +14,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Whether identifier() would leave it as it is.
+// Whether identifier() would return the name unchanged.
 bool is_identifier(const std::string& name, IsReserved is_reserved) {
   char last = '_';
   for (const char c : name) {

@@ -1,4 +1,4 @@
-// Identifiers of generated text: legal, free of a language's reserved words, each once in its scope.
+// Identifiers of generated text: legal, free of a language's reserved words, and unique in their scope.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace robcogen::backend {
 // Whether the language reserves the name.
 using IsReserved = bool (*)(const std::string& name);
 
-// Where it reserves none.
+// For languages that reserve no names.
 inline bool is_free(const std::string&) {
   return false;
 }
@@ -21,7 +21,7 @@ inline bool is_free(const std::string&) {
 // gets a final '_'. A name that is legal already comes back unchanged.
 std::string identifier(const std::string& wanted, IsReserved is_reserved);
 
-// At most `limit` characters: the middle is cut, because the ends tell most about the meaning.
+// Shortens a name to at most `limit` characters: the middle is cut, because the ends say most about the meaning.
 std::string shortened(const std::string& name, std::size_t limit, IsReserved is_reserved);
 
 // Identifiers taken in one scope.
@@ -40,20 +40,21 @@ class NameScope {
   NameTable<int> uses_;
 };
 
-// One identifier for each name. Names that are legal as they stand keep their spelling, whatever comes before them.
+// One identifier for each name. Names that are legal as they stand keep their spelling, even if an identifier that
+// comes before them would be the same.
 std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wanted);
-// The same in a scope of their own, as members of a structure have one.
+// The same in a new scope, for example that of the members of a structure.
 std::vector<std::string> claim_all(const std::vector<std::string>& wanted, IsReserved is_reserved);
 
-// The words of a text, which blanks separate.
+// The words of a text, split at blanks.
 std::vector<std::string> words(std::string_view text);
 
-// `transforms.homogeneous` of `transforms::homogeneous`.
+// `transforms.homogeneous` for `transforms::homogeneous`.
 std::string dotted(const std::string& scope);
 
-// `a/b/hyl` of `hyl` in `a::b`, which may be empty.
+// `a/b/hyl` for `hyl` in `a::b`, which may be empty.
 std::string scoped(const std::string& enclosing, const std::string& name, const std::string& between);
-// `a_b_hyl` of `hyl` in `a::b`, which may be empty.
+// `a_b_hyl` for `hyl` in `a::b`, which may be empty.
 std::string flat(const std::string& enclosing, const std::string& name);
 
 }  // namespace robcogen::backend

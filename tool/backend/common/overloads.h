@@ -8,27 +8,28 @@
 
 namespace robcogen::backend {
 
-// Overloads of one function: each takes the arguments of the one before it and more. The text is that of the last one,
-// whose additional arguments have defaults.
+// The overloads of one function: each takes the arguments of the one before it and more. The printed text is that of
+// the last overload; its additional arguments have defaults.
 struct Callable {
   std::string scope;
-  std::string name;  // that of the functions, until a language chooses another
+  std::string name;  // the name of the functions, until a language chooses another
   std::vector<const Function*> overloads;
 
   const Function& longest() const { return *overloads.back(); }
 };
 
-// In the order of the library, which they refer to.
+// In the order of the library. The result refers to the library.
 std::vector<Callable> callables(const Library& library);
 
-// `transforms`, `transforms.homogeneous`: each scope once, those that enclose it before it. The callables have dotted
-// ones.
+// `transforms`, `transforms.homogeneous`: each scope once, after the scopes that enclose it. The scopes of the
+// callables must be dotted already.
 std::vector<std::string> scopes(const std::vector<Callable>& callables);
 
-// How many of the arguments must be given. Gravity, when it is the last of them, need not, unless the base floats.
+// How many of the arguments must be given. Gravity may be left out if it is the last argument and the base is fixed.
 std::size_t required_inputs(const Library& library, const Callable& callable);
 
-// What all overloads say, and how the first is computed: the loads that distinguish them are described as arguments.
+// The lines that all overloads share, and the method of the first one. The loads that distinguish the overloads are
+// described as arguments.
 std::vector<std::string> summary(const Callable& callable);
 
 // `Takes 32 multiplications, …`

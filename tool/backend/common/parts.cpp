@@ -12,10 +12,10 @@
 namespace robcogen::backend {
 namespace {
 
-// The cost of a call, in values passed on.
+// The cost of a call, expressed as a number of values passed on.
 constexpr std::size_t kCall = 8;
 
-// The lines of one section, or of several.
+// The lines of one section, or of several consecutive ones.
 struct Stretch {
   std::size_t begin = 0, end = 0;
 };
@@ -26,7 +26,7 @@ bool is_definition(const Line& line) {
          line.kind == Kind::pick;
 }
 
-// Numbers of names. Never iterated: the map decides no order.
+// Numbers the names. The map is never iterated, so that it decides no order.
 class Vocabulary {
  public:
   static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
@@ -63,11 +63,11 @@ std::vector<Stretch> sections(const std::vector<NumberedLine>& lines) {
   return result;
 }
 
-// What a line defines.
+// A value that a line defines.
 struct Value {
   std::string name;
   int width = 1;
-  std::string element = {};  // where it stands, if it is handed on
+  std::string element = {};  // the array element that holds it, if it is handed on
 };
 
 // Ascending indices of values.
@@ -98,7 +98,7 @@ class KernelSplitter {
 
   Parts run() {
     const std::vector<Stretch> stretches = cut();
-    std::vector<Values> read;  // by part: values of other parts
+    std::vector<Values> read;  // by part: values defined in parts before it
     for (const Stretch& s : stretches) read.push_back(read_from_before(s));
     choose_elements(stretches, read);
     Parts result;
@@ -115,11 +115,11 @@ class KernelSplitter {
   std::size_t longest_;
   const Dialect& dialect_;
   Vocabulary vocabulary_;
-  std::vector<NumberedLine> bindings_, blocks_;  // of inputs: in each part that reads them
+  std::vector<NumberedLine> bindings_, blocks_;  // of inputs: repeated in each part that reads them
   std::vector<NumberedLine> lines_;              // all others
   std::vector<Value> values_;                    // in the order of the lines
-  std::vector<std::size_t> first_value_;         // by line, and behind the last: how many values are defined before
-  std::vector<std::size_t> value_of_name_;       // values_.size(): none
+  std::vector<std::size_t> first_value_;         // by line, and one past the last: how many values are defined before
+  std::vector<std::size_t> value_of_name_;       // by name; values_.size(): none
   std::map<int, std::size_t> sizes_;             // of the arrays, by width
 
   static Parameter array(int width) {
@@ -138,7 +138,7 @@ class KernelSplitter {
     return result;
   }
 
-  // The runs that pass on the fewest values in sum, by dynamic programming over their ends.
+  // The runs of sections that pass on the fewest values in total, by dynamic programming over their ends.
   std::vector<Stretch> cut() const {
     const std::vector<Stretch> all = sections(lines_);
     std::vector<Values> read;
@@ -146,7 +146,7 @@ class KernelSplitter {
     std::vector<std::size_t> cost(all.size() + 1, std::numeric_limits<std::size_t>::max()), from(all.size() + 1, 0);
     cost[0] = 0;
     for (std::size_t end = 1; end <= all.size(); ++end) {
-      std::vector<bool> is_read(values_.size(), false);  // from before the run
+      std::vector<bool> is_read(values_.size(), false);  // values that the run reads from before it
       std::size_t count = 0;
       const auto set = [&](std::size_t value, bool to) {
         if (is_read[value] == to) return;
@@ -170,7 +170,7 @@ class KernelSplitter {
     return result;
   }
 
-  // An element is free for another value after the part that reads it last.
+  // An element becomes free for another value after the last part that reads its value.
   void choose_elements(const std::vector<Stretch>& stretches, const std::vector<Values>& read) {
     constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> last(values_.size(), kNever);  // part that reads the value

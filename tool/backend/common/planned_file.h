@@ -1,4 +1,4 @@
-// The files of a library before it is known: their paths follow from the options alone, as builds need them.
+// The files of a library before the library exists: builds need their paths, which depend on the options alone.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace robcogen::backend {
 
-// What prints it takes the names that the library has in the language.
+// A file, and the function that prints it, given the names that the library has in the language.
 template <class Names>
 struct PlannedFile {
   std::string path;
@@ -24,7 +24,7 @@ std::vector<std::string> paths(const std::vector<PlannedFile<Names>>& files) {
   return result;
 }
 
-// Several at a time.
+// Prints several files at a time, in parallel.
 template <class Names>
 std::vector<OutputFile> print(const std::vector<PlannedFile<Names>>& files, const Names& names) {
   std::vector<OutputFile> result(files.size());

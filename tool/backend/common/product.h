@@ -1,4 +1,4 @@
-// A coordinate transform as a product of primitives that the user has: Rx(a) * Tz(b).
+// A coordinate transform as a product of the user's own primitives: Rx(a) * Tz(b).
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@ namespace {
 
 using symbolic::Op;
 
-// A text, and what stands around it.
+// A text with its parentheses, if it has any.
 struct Enclosed {
   std::string_view open, text, close;
 };
@@ -19,8 +19,8 @@ Enclosed enclosed(const Spelling& v, bool parentheses) {
   return {"(", v.text, ")"};
 }
 
-// `a operation b`, with a sign in front or "". Equal precedence needs parentheses on the right, and behind a sign,
-// only: operators associate to the left.
+// `a operation b`, preceded by `sign`, which may be empty. Operators associate to the left, so that an operand of equal
+// precedence needs parentheses only on the right or behind a sign.
 std::string_view operation_text(
     std::string_view sign,
     const Spelling& a,

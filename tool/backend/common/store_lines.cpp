@@ -70,7 +70,7 @@ StoreLines::Target StoreLines::target_of(std::size_t output, std::size_t element
   return {target(lines_.arranged(), output, element), output};
 }
 
-// Equal elements at once, as many as a line holds.
+// Stores equal elements at once, as many as fit in a line.
 void StoreLines::store(const std::vector<Target>& targets, const Operand& value) {
   const Dialect& dialect = lines_.dialect();
   const Line empty{Line::Kind::store, {}, lines_.text_of(value)};

@@ -12,12 +12,12 @@ class StoreLines {
  public:
   explicit StoreLines(KernelLines& lines) : lines_(lines) {}
 
-  // Elements that have one value side by side: before all that stands between them.
+  // Fills ranges of elements that share one value. This comes first, because elements in between are overwritten later.
   void add_fills();
-  // Of a statement, all its lanes.
+  // Stores the elements that a statement supplies, for all of its lanes.
   void add_those_of(std::size_t statement);
   void add_block(const symbolic::Block& block);
-  // Elements that are inputs or constants: each value once, in the order of the elements.
+  // Stores the elements that are inputs or constants: each value once, in the order of the elements.
   void add_those_of_inputs();
 
  private:

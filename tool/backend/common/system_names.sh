@@ -1,12 +1,12 @@
 #!/bin/sh
-# system_names.sh DIRECTORY: writes what the headers of the standard library and of POSIX keep to themselves, and what
-# compilers predefine, as lists that C++ and CMake read:
+# system_names.sh DIRECTORY: writes the names that the headers of the standard library and of POSIX use, and the names
+# that compilers predefine, as lists that C++ and CMake read:
 #
 #   macros.inc   macros, and the types and variables that a local name would shadow
-#   globals.inc  functions, structures and enumerators outside of namespaces, which no namespace can be called
+#   globals.inc  functions, structures and enumerators outside of namespaces, which no namespace can have as its name
 #
-# The lists of the project are made by `system_names.sh tool/backend/common`, where g++ and clang++ are installed; names
-# that other versions of them have may be added. Names that begin with '_' or have "__" in them are left out: no
+# The lists of the project are made by `system_names.sh tool/backend/common` on a machine with g++ and clang++; names
+# that other versions of these have may be added. Names that begin with '_' or contain "__" are left out, because no
 # identifier of generated code does.
 set -e
 out=${1:?usage: system_names.sh DIRECTORY}
@@ -48,8 +48,8 @@ for compiler in g++ clang++; do
   $compiler -x c -std=gnu17 -w -dM -E "$work/c_alone.c"
 done | sed -n 's/^#define \([A-Za-z0-9_]*\).*/\1/p' >"$work/macros"
 
-# What stands outside of namespaces: in the dump of the syntax tree, declarations below the unit, `extern "C"`, and
-# enumerations without a scope.
+# The names outside of namespaces: in the dump of the syntax tree, declarations directly below the translation unit,
+# below `extern "C"`, and below enumerations without a scope.
 if command -v clang++ >"$work/which"; then
   clang++ -std=gnu++20 -w -fsyntax-only -Xclang -ast-dump "$work/posix.cpp" | awk '
     {
@@ -73,7 +73,7 @@ if command -v clang++ >"$work/which"; then
   sed -n 's/^globals //p' "$work/declared" >"$work/globals"
 fi
 
-# Sorted, in lines of at most 118 characters.
+# Prints the names, sorted, in lines of at most 118 characters.
 list() {
   grep -v -e '^_' -e '__' "$1" | grep -v -x -e definition | sort -u | awk -v comment="$2" '
     BEGIN { print "// " comment " Written by system_names.sh." }

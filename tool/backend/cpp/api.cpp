@@ -18,10 +18,10 @@ using symbolic::OutputArray;
 using symbolic::Program;
 using symbolic::Role;
 
-// The array of what Parameters holds.
+// The name of the array of the values that Parameters holds.
 const char* const kParameterValues = "parameter_values";
 
-// A namespace keeps its name as it was asked for, unless C++ or a system header keeps that to itself.
+// A namespace keeps the name that was asked for, unless C++ or a system header uses that name itself.
 std::string namespace_name(const std::string& wanted) {
   return is_reserved_namespace(wanted) ? wanted + "_" : wanted;
 }
@@ -50,7 +50,7 @@ bool is_joint_array(Role role) {
          role == Role::joint_force;
 }
 
-// The alias of types.h for a role that has one of its own.
+// The alias in types.h for a role that has one.
 std::string alias(Role role) {
   if (is_joint_array(role)) return "JointState";
   switch (role) {
@@ -82,7 +82,7 @@ std::string alias(Role role) {
   }
 }
 
-// The type of the runtime (results.h) for these outputs; empty: none.
+// The type of the runtime (results.h) for these outputs; empty if there is none.
 std::string common_structure(const Program& program) {
   if (program.outputs.size() != 2) return "";
   const Role first = program.outputs[0].role, second = program.outputs[1].role;
@@ -115,7 +115,7 @@ std::string owner(const Program& program) {
   return reads_kept ? kFactorType : "";
 }
 
-// A function's inputs as a signature, with or without gravity.
+// The roles of a function's inputs, with or without gravity.
 std::vector<Role> signature(const Program& program, bool with_gravity) {
   std::vector<Role> roles;
   for (const InputArray& input : program.inputs)
@@ -123,7 +123,7 @@ std::vector<Role> signature(const Program& program, bool with_gravity) {
   return roles;
 }
 
-// The names of an input's elements, which the function takes one by one.
+// The names of an input's elements, for a function that takes them one by one.
 std::vector<std::string> variable_names(const Api& api, const InputArray& input) {
   const std::vector<std::string>& all = api.library->variables;
   std::vector<std::string> names;
@@ -172,7 +172,7 @@ Callable callable(
     const std::string& owner = "") {
   Callable result{&f, kernel, name, columns, owner};
   result.result = result_type(f);
-  // In a namespace, names of functions are those of frames, which as parts of other words would be ambiguous.
+  // In a namespace, functions are named after frames; as a part of another word, such a name would be ambiguous.
   if (returns_own_structure(f.program) && !f.scope.empty())
     result.result = name_of_structure(last_of(f.scope)) + "_" + name;
   result.parameters = parameters(f.program);
@@ -181,7 +181,8 @@ Callable callable(
   return result;
 }
 
-// Members of a struct, and arguments beside those that functions of transforms have else.
+// Names the members of the parameter struct, and the arguments that functions of transforms have in addition to the
+// usual ones.
 void name_values(const Library& library, Api& api) {
   NameScope members({"Scalar"});
   std::vector<std::string> wanted;
@@ -191,7 +192,7 @@ void name_values(const Library& library, Api& api) {
   api.variables = claim_all(arguments, library.variables);
 }
 
-// The fields that hold the parameters, and the getters of the interfaces, all members of one type.
+// Names the fields that hold the parameters, and the getters of the interfaces. All are members of one type.
 void name_parameters(const Library& library, Api& api) {
   std::vector<std::string> wanted;
   for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
@@ -230,7 +231,7 @@ Api api(const Library& library) {
   for (const Function& f : library.functions) wanted.push_back(f.kernel);
   const std::vector<std::string> kernel_names = claim_all(kernels, wanted);
 
-  // Overloads share a name; two functions that are different ones must not.
+  // Overloads share a name; different functions must not.
   std::map<std::string, NameScope> taken;
   std::map<std::pair<std::string, std::string>, std::string> names;
   for (const bool legal : {true, false}) {
@@ -334,7 +335,7 @@ Overload with_sines(const Api& api, const Overload& plain) {
   Overload result = plain;
   if (!api.takes_sines()) return result;
   const Program& program = plain.callable->function->program;
-  // Arguments and inputs are arrays, one after another, but for gravity that has no argument.
+  // Arguments and inputs correspond one to one, except that gravity may have no argument.
   for (std::size_t i = 0, a = 0; i < program.inputs.size(); ++i) {
     const Role role = program.inputs[i].role;
     if (role == Role::gravity && plain.adds_standard_gravity) continue;
@@ -356,7 +357,7 @@ Overload with_sines(const Api& api, const Overload& plain) {
 }
 
 std::vector<Overload> overloads(const Api& api, const std::string& group, const std::string& scope) {
-  // Functions of one name stand together, where the first of them stands.
+  // Functions of one name are grouped at the place of the first of them.
   std::vector<std::string> order;
   std::map<std::string, std::vector<const Callable*>> by_name;
   for (const Callable& c : api.callables) {

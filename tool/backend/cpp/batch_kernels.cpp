@@ -20,7 +20,7 @@ std::string input_type(const InputArray& input) {
   return matrix_type(rows, rows);
 }
 
-// The type in which compiled functions take an array.
+// The type of an array as a parameter of compiled functions.
 std::string strided(const BatchArray& array, const std::string& scalar) {
   if (array.is_parameters) return "const " + scalar + "*";
   return "const robcogen::batch::Strided<" + std::string(array.is_output ? "" : "const ") + scalar + ">&";

@@ -1,4 +1,4 @@
-// What the functions over many states of a library have in common: the functions that it compiles, and their arrays.
+// Functions over many states: the functions that a library compiles, and their arrays.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robcogen::backend::cpp {
 
-// An array of a function, of one state. Parameters are the same for all states.
+// An array of a function, for one state. Parameters are the same for all states.
 struct BatchArray {
   std::string name;
   std::string type;  // of one state
@@ -19,16 +19,16 @@ struct BatchArray {
   bool is_gravity = false;
 };
 
-// Inputs, then outputs, as the kernel has them.
+// Inputs, then outputs, in the order of the kernel.
 std::vector<BatchArray> batch_arrays(const symbolic::Program& program);
 
-// Whether the result of a function is one symmetric matrix, of which the lower triangle is available alone.
+// Whether the result of a function is a single symmetric matrix, whose lower triangle is also available alone.
 bool is_symmetric(const Callable& callable);
 
-// Whether the results of a block of states would outgrow the stacks of threads: states are taken one by one then.
+// Whether the results of a block of states would outgrow the stacks of threads. States are then taken one by one.
 bool takes_single_states(const Callable& callable);
 
-// A function that is compiled: of a symmetric matrix there is a second one, that writes the lower triangle alone.
+// A function that is compiled. If the result is a symmetric matrix, a second one writes the lower triangle alone.
 struct BatchKernel {
   const Callable* callable = nullptr;
   bool is_lower = false;
@@ -39,10 +39,10 @@ struct BatchKernel {
 std::vector<BatchKernel> batch_kernels(const std::vector<const Callable*>& callables);
 std::vector<BatchKernel> batch_kernels(const Api& api);
 
-// Parameters, the number of states, then the others; `with_names` or types alone.
+// The parameters, the number of states, then all other arguments, with their names or as types alone.
 std::vector<std::string> batch_parameters(const BatchKernel& kernel, const std::string& scalar, bool with_names);
 
-// Explicit instantiations for all scalars; `extra` ends the list of types.
+// Explicit instantiations for all scalars; `extra` follows the other types.
 std::string batch_instantiations(
     const Api& api,
     const BatchKernel& kernel,

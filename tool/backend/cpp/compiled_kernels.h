@@ -1,5 +1,5 @@
-// The kernels that a library compiles for double and float: what its declarations, its instantiations and its processor
-// levels have in common.
+// The kernels that a library compiles for double and float, as its declarations, its instantiations and its processor
+// levels need them.
 #pragma once
 
 #include <string>
@@ -13,28 +13,28 @@ struct CompiledKernel {
   std::string name;
   bool is_core = false;  // in namespace `core`
   std::vector<Parameter> parameters;
-  const Callable* callable = nullptr;  // none: joint_trigonometry
+  const Callable* callable = nullptr;  // null: joint_trigonometry
 };
 
 // `core::f` or `f`, in namespace `kernel`.
 std::string qualified(const CompiledKernel& kernel);
 
-// Those of a group; or of `parameters` or `trigonometry`. A core stands before the kernel that calls it.
+// The kernels of a group, or of `parameters` or `trigonometry`. A core precedes the kernel that calls it.
 std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& group);
 
-// The functions of a group in their order, those of `parameters` and `trigonometry` too.
+// The functions of a group in their order; `parameters` and `trigonometry` are groups too.
 std::vector<const Callable*> callables_of(const Api& api, const std::string& group);
 
-// The same, and in front of them the stages that they call.
+// The same functions, preceded by the stages that they call.
 std::vector<const Callable*> kernels_of(const Api& api, const std::string& group);
 
-// Of joint_trigonometry.
+// The parameters of joint_trigonometry.
 std::vector<Parameter> trigonometry_parameters(const Library& library);
 
-// Whether a group's functions are those of frames: transforms, Jacobians, velocities and accelerations.
+// Whether a group has functions of frames: transforms, Jacobians, velocities and accelerations.
 bool is_kinematics(const std::string& group);
 
-// `template <class Scalar> HEAD(PARAMETERS)TAIL`, with HEAD `void name`. Parameters that are not used have no name.
+// `template <class Scalar> HEAD(PARAMETERS)TAIL`, with HEAD `void name`. Unused parameters have no name.
 std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail);
 
 // `robcogen::Lanes<Scalar, 4>`.

@@ -15,7 +15,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// The name of the robot whose folder this is.
+// The name of the robot that this folder belongs to.
 std::string name_of(const std::string& folder) {
   return folder.substr(folder.rfind('/') + 1);
 }
@@ -79,7 +79,7 @@ std::string includes(std::vector<std::string> names) {
 
 namespace {
 
-// All of them, in the order in which they are listed.
+// All files, in the order in which they are listed.
 std::vector<PlannedFile<Api>> files(
     const std::string& folder,
     const std::vector<std::string>& groups,

@@ -8,12 +8,12 @@
 
 namespace robcogen::backend::cpp {
 
-// The folder of a library's files: its name, below a folder for each enclosing namespace (`a::b`), so that libraries of
-// one name in different namespaces go into one program.
+// The folder of a library's files: its name, below one folder for each enclosing namespace (`a::b`), so that libraries
+// of the same name in different namespaces can go into one program.
 std::string folder(const std::string& name, const std::string& enclosing);
 
-// The names of the files that `print` makes in this folder, relative to the output directory: a function of the
-// keywords only.
+// The files that `print` makes in this folder, as paths relative to the output directory. They depend on the arguments
+// alone.
 std::vector<std::string> outputs(
     const std::string& folder,
     const std::vector<std::string>& groups,

@@ -1,4 +1,4 @@
-// Tables of <name>/reflection.h whose functions read and write all arrays one after another.
+// Tables of <name>/reflection.h. Their functions read and write all arrays one after another, as one flat array each.
 #pragma once
 
 #include <string>
@@ -17,15 +17,15 @@ struct Table {
 
 inline constexpr const char* kNoTable = "{nullptr, 0}";
 
-// Of robcogen::reflection::<type>.
+// A table of robcogen::reflection::<type>.
 Table table(const std::string& type, const std::string& name, const std::vector<std::vector<Field>>& rows);
 
 std::string address(const Callable& c);
 
-// Where an input stands when all arrays are put one after another.
+// Where an input and the outputs begin when all arrays follow one another.
 std::size_t offset_of(const symbolic::Program& program, std::size_t input);
 std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program);
-// `At<0, 3>`: where the arrays begin.
+// `At<0, 3>`: the offsets at which the arrays begin.
 std::string offset_list(const std::vector<std::size_t>& offsets);
 int output_count(const symbolic::Program& program);
 
@@ -34,8 +34,8 @@ Field flat(const Callable& c);
 // The first fields of a robcogen::reflection::Function.
 std::vector<Field> function_row(const Callable& c);
 
-// Of the functions in a table, in its order: where their derivatives stand (robcogen::reflection::Derivative).
-// `has_cache`: they read what follows from the parameters, not these.
+// The table that says where the derivatives of these functions stand (robcogen::reflection::Derivative), in their
+// order. `has_cache`: the functions read the cache instead of the parameters.
 Table derivatives(const std::vector<const Callable*>& functions, bool has_cache);
 
 }  // namespace robcogen::backend::cpp

@@ -16,7 +16,7 @@ std::string text(const Field& field) {
   return field.braces ? braced(field.items) : field.items.front();
 }
 
-// The field and a comma, as lines at this indentation.
+// The field, followed by a comma, as lines with this indentation.
 std::string lines(const Field& field, std::size_t indent) {
   const std::string line = blanks(indent) + text(field) + ",\n";
   if (line.size() <= kColumns + 1) return line;
@@ -27,7 +27,7 @@ std::string lines(const Field& field, std::size_t indent) {
   return blanks(indent) + "{\n" + blanks(indent + 4) + joined(field.items, separator) + ",\n" + blanks(indent) + "},\n";
 }
 
-// The items with commas in as few lines as hold them, and the end behind the last one.
+// The items with commas, on as few lines as possible, followed by `end`.
 std::string filled(const std::vector<std::string>& items, const std::string& end, std::size_t indent) {
   std::string result, row = blanks(indent);
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -50,7 +50,7 @@ std::string declaration(
     std::size_t indent) {
   const std::string line = blanks(indent) + head + "(" + joined(parameters, ", ") + ")" + tail;
   if (line.size() <= kColumns || parameters.empty()) return line + "\n";
-  // What follows a member function's parameters may stand in a line of its own.
+  // The text after the parameters of a member function may be on a line of its own.
   if (const std::size_t end = line.size() - tail.size(); tail.rfind(" const ", 0) == 0 && end <= kColumns)
     return line.substr(0, end) + "\n" + blanks(indent + 4) + tail.substr(1) + "\n";
   const std::string separator = "\n" + blanks(indent + 4);

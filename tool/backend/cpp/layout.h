@@ -1,5 +1,5 @@
-// Layout of generated C++ as the project's .clang-format wants it: 120 columns, one parameter a line where they do not
-// fit in one.
+// Layout of generated C++ as the project's .clang-format has it: 120 columns, and one parameter per line if the
+// parameters do not fit in one.
 #pragma once
 
 #include <string>
@@ -26,14 +26,14 @@ std::string declaration(
 // `head(arguments);` as a statement.
 std::string call(const std::string& head, const std::vector<std::string>& arguments, std::size_t indent);
 
-// `head<items>tail;` as a statement, the tail being arguments in parentheses.
+// `head<items>tail;` as a statement, where the tail holds arguments in parentheses.
 std::string template_call(
     const std::string& head,
     const std::vector<std::string>& items,
     const std::string& tail,
     std::size_t indent);
 
-// `head = {…};` with one item a line and the remark of each behind it. (Without remarks clang-format would arrange long
+// `head = {…};` with one item per line, each followed by its remark. (Without remarks, clang-format would arrange long
 // lists in columns.)
 std::string remarked_list(
     const std::string& head,
@@ -41,9 +41,9 @@ std::string remarked_list(
     const std::vector<std::string>& remarks,
     std::size_t indent = 0);
 
-// `head = {items};` in one line if they fit, else one a line, each with its number.
+// `head = {items};` on one line if the items fit, otherwise one item per line, each with its number.
 std::string numbered_list(const std::string& head, const std::vector<std::string>& items, std::size_t indent = 0);
-// Texts, in pieces where they are longer than a line; with their numbers.
+// A list of texts with their numbers. Texts longer than a line are split into pieces.
 std::string text_list(const std::string& head, const std::vector<std::string>& texts);
 
 // A field of a table: one item, a list in braces, or a template with a list of arguments.
@@ -60,13 +60,13 @@ struct Field {
   std::string template_name;
 };
 
-// `head = {…};` with one row of fields a line, each with its number; one field a line where rows are too long for that.
+// `head = {…};` with one row per line, each with its number; one field per line if rows are too long for that.
 std::string table(const std::string& head, const std::vector<std::vector<Field>>& rows);
 
-// Text with blank lines between the parts; empty parts vanish.
+// The parts, separated by blank lines; empty parts vanish.
 std::string paragraphs(const std::vector<std::string>& parts);
 
-// `namespace a::b { … }`, or nothing around nothing.
+// `namespace a::b { … }`; empty if the body is empty.
 std::string in_namespace(const std::string& name, const std::string& body);
 
 }  // namespace robcogen::backend::cpp

@@ -8,8 +8,9 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// Lines of kernels that may stay in the instruction cache (64 KB, 21 bytes a line on x86-64), and of the parts of
-// others. With lanes, of which a processor keeps few in registers, short parts take less time from half of that on.
+// Numbers of lines: of kernels that fit in the instruction cache (64 KB, 21 bytes a line on x86-64), of the parts of
+// longer kernels, and of the longest unsplit kernel with lanes. A processor keeps few values with lanes in registers,
+// so that short parts take less time from that length on.
 constexpr std::size_t kCached = 3000, kShortPart = 200, kLongestInLanes = 1000;
 
 std::string element(const std::string& array, std::size_t k) {
@@ -18,7 +19,7 @@ std::string element(const std::string& array, std::size_t k) {
 
 constexpr std::size_t kIndentation = 2;
 
-// Whether no parenthesis is closed before it is opened: what stands between the parentheses of one call.
+// Whether no parenthesis is closed before it is opened, as between the parentheses of a single call.
 bool is_balanced(const std::string& text) {
   int depth = 0;
   for (const char c : text) {
@@ -28,17 +29,17 @@ bool is_balanced(const std::string& text) {
   return depth == 0;
 }
 
-// Of the second line of a statement.
+// The indentation of a statement's second line.
 const std::string kMargin = "\n      ";
 
-// A definition that does not fit in one line has its value in the next one, and a call its arguments in several.
+// A definition that does not fit on one line has its value on the next one; a long call has its arguments on several.
 std::string wrapped(std::string line, std::size_t limit) {
   if (line.size() <= limit) return line;
   const std::size_t equals = line.find(" = "), of = line.find("::of(");
   const bool is_definition = equals != std::string::npos;
   if (is_definition && line.size() - equals - 3 + 4 <= limit)
     return line.substr(0, equals + 2) + kMargin + line.substr(equals + 3);
-  // The value is this call alone.
+  // The value consists of this call alone.
   const bool is_call = of != std::string::npos && line.find_first_of(" (", equals + 3) == of + 4;
   if (is_definition && !(is_call && is_balanced(line.substr(of + 5, line.size() - of - 7)))) return line;
   const std::size_t begin = (is_definition ? line.find('(', of) : line.find('(')) + 1;
@@ -122,7 +123,7 @@ std::string text(const Line& line) {
   switch (kind) {
     case Line::Kind::section:
       return "// " + expression;
-    // A reference: read where it is used, and no register is spent on it before.
+    // A reference is read where it is used, so that it takes no register before.
     case Line::Kind::binding:
       return concat({"const ", type_of(line), "& ", targets[0], " = ", expression, ";"});
     case Line::Kind::sincos:

@@ -1,4 +1,4 @@
-// C++ as a dialect: how a kernel's lines are spelt.
+// C++ as a dialect: how the lines of a kernel are spelled.
 #pragma once
 
 #include <string>
@@ -25,14 +25,15 @@ Kernel lower(const symbolic::Program& program, const std::string& name);
 // Whether the kernel is cut into parts.
 bool is_split(const Kernel& kernel);
 
-// In parts as long as costs no time when they run; and short ones, for the sake of registers, where there are lanes, or
-// where the code is larger than the instruction cache of any processor, so that time goes with its size.
+// Cuts the kernel into parts that are as long as possible without costing run time. Parts are short if the kernel has
+// lanes, for the sake of registers, or if its code is larger than any processor's instruction cache, because the run
+// time then grows with the size of the code.
 Parts split(const Kernel& kernel);
 
-// The program's lines without stores: what its outputs are stands in Kernel::results.
+// The lines of the program without stores; Kernel::results holds the outputs.
 Kernel lower_values(const symbolic::Program& program);
 
-// The type of values with lanes, as kernels call it.
+// The name that kernels give to the type of values with lanes.
 std::string type(int width);
 
 // `Scalar(0.35)`; the value is not negative.
@@ -41,7 +42,7 @@ Spelling literal(double value, Texts& texts);
 // The line without indentation, ready to be printed.
 std::string text(const Line& line);
 
-// What stands between the braces of a function template over `Scalar`.
+// The text between the braces of a function template over `Scalar`.
 std::string body(const Kernel& kernel);
 
 }  // namespace robcogen::backend::cpp

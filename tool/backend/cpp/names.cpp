@@ -7,7 +7,7 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// Functions, structures and enumerators outside of namespaces: scopes of their own may have such names.
+// Functions, structures and enumerators outside of namespaces. Inside other scopes, these names are free.
 constexpr std::string_view kGlobalNames[] = {
 #include "backend/common/globals.inc"
 };

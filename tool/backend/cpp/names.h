@@ -1,4 +1,4 @@
-// Identifiers of generated C++: free of its reserved words and of names that system headers keep to themselves.
+// Identifiers of generated C++, which avoid its reserved words and the names that system headers use as macros.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace robcogen::backend::cpp {
 
 using c_family::is_reserved;
 
-// Reserved names, and what stands beside a namespace at the outermost level: functions and structures of system headers
-// (`sincos`, `index`, `stat`, …), which globals.inc lists, and namespaces that generated code names.
+// Whether a namespace at the outermost level must not have this name: reserved names, functions and structures of
+// system headers (`sincos`, `index`, `stat`, …), which globals.inc lists, and namespaces that generated code names.
 bool is_reserved_namespace(const std::string& name);
 
 inline std::string identifier(const std::string& wanted) {

@@ -1,4 +1,4 @@
-// Functions over many states: <name>/batch.h, Eigen types over arrays, and what the library compiles beneath it,
+// Functions over many states: <name>/batch.h, with Eigen types over arrays, and what the library compiles beneath it:
 // <name>/batch.cpp, which chooses the bodies for the processor that it runs on.
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// The kernel's arguments, those of its parameters first.
+// The arguments of the kernel, parameters first.
 std::vector<std::string> passed_on(const Callable& callable) {
   std::vector<std::string> list, others;
   for (const BatchArray& a : batch_arrays(callable.function->program))
@@ -22,7 +22,7 @@ std::vector<std::string> passed_on(const Callable& callable) {
   return list;
 }
 
-// Declared in the interface, and defined where the processor is chosen.
+// The function that chooses the processor's body: declared in the interface, defined in <name>/batch.cpp.
 std::string chooser_declaration(
     const BatchKernel& kernel,
     const std::string& tail,
@@ -32,7 +32,7 @@ std::string chooser_declaration(
   return "template <class Scalar>\n" + declaration("void " + kernel.name(), list, tail);
 }
 
-// Whether bodies for a processor are compiled: `kHasAvx2`.
+// The constant that says whether bodies for a processor level are compiled: `kHasAvx2`.
 std::string constant_of(std::string level) {
   std::transform(level.begin() + 1, level.end(), level.begin() + 1, [](unsigned char c) { return std::tolower(c); });
   return "kHasA" + level.substr(1);
@@ -45,7 +45,7 @@ std::string chooser(const BatchKernel& kernel) {
   };
   std::string text = chooser_declaration(kernel, " noexcept {");
   text += "  [[maybe_unused]] const robcogen::batch::Level level = robcogen::batch::available(most);\n";
-  // A machine with AVX-512 runs AVX2, too, where that is the best that is compiled.
+  // A machine with AVX-512 also runs AVX2 code, if that is the best that is compiled.
   const std::pair<std::string, std::string> levels[] = {
       {"avx512", "== robcogen::batch::Level::avx512"}, {"avx2", "!= robcogen::batch::Level::baseline"}};
   for (const auto& [level, test] : levels) {
@@ -59,7 +59,7 @@ std::string chooser(const BatchKernel& kernel) {
   return text + call(body("baseline"), arguments, 2) + "}\n";
 }
 
-// One state after the other, by the compiled kernel, which writes to the memory of the caller where it can.
+// Computes one state after the other by the compiled kernel, which writes to the caller's memory where it can.
 std::string over_single_states(const Api& api, const BatchKernel& kernel) {
   const auto method = [](const std::string& name, int size) {
     return "states.template " + name + "<" + std::to_string(size) + ">";
@@ -81,7 +81,7 @@ std::string over_single_states(const Api& api, const BatchKernel& kernel) {
          call("::" + api.space + "::kernel::" + kernel.callable->kernel, arguments, 4) + store + "  }\n}\n";
 }
 
-// What the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
+// The levels that the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
 std::string compiled_levels() {
   std::string text = "// Processor levels that the library is compiled for in addition to the baseline.\n";
   for (const std::string level : {"AVX512", "AVX2"})
@@ -91,7 +91,8 @@ std::string compiled_levels() {
   return text;
 }
 
-// A function of the interface: without gravity, standard gravity takes its place; with storage, of a symmetric matrix.
+// A function of the interface. Without the gravity argument it takes standard gravity; the storage argument exists for
+// symmetric matrices.
 struct Signature {
   bool single_precision = false;
   bool has_gravity = true;
@@ -142,7 +143,7 @@ std::string function(const Api& api, const Callable& callable, const Signature& 
          body + call(kernels + callable.kernel + "<Scalar>", arguments, 2) + "}\n";
 }
 
-// Scopes of free functions and of those that are members of what one returns, in order.
+// The scopes of free functions, then those of functions that are members of a result type, in order.
 std::vector<std::string> all_scopes(const Api& api, const std::string& group) {
   std::vector<std::string> result = scopes(api, group);
   for (const Callable* c : callables_of(api, group))
@@ -151,7 +152,7 @@ std::vector<std::string> all_scopes(const Api& api, const std::string& group) {
   return result;
 }
 
-// All functions of one scope, of positions. They may leave out gravity where those of one state may.
+// All functions of one scope that take positions. Gravity may be left out where the functions of one state allow it.
 std::string scope_text(const Api& api, const std::string& group, const std::string& scope, bool single_precision) {
   std::vector<std::string> parts;
   const auto add = [&](const Callable& c, bool with_gravity) {

@@ -1,5 +1,5 @@
-// Bodies of functions over many states, <name>/batch/<group>.h, instantiated in a source for each processor: they
-// compute one block of states at a time.
+// Bodies of functions over many states, <name>/batch/<group>.h, which compute one block of states at a time. One source
+// per processor instantiates them.
 #include <optional>
 #include <utility>
 
@@ -17,8 +17,8 @@ std::string lanes_of(const BatchArray& array) {
   return array.name + "_lanes";
 }
 
-// The kernel of a function over many states that writes its result in place: a symmetric matrix, most of whose elements
-// are written twice or are zeros, and which fills the cache when it is stored on the way. None where the kernel is cut
+// The kernel of a function over many states that writes its result in place. The result is a symmetric matrix: most of
+// its elements are written twice or are zeros, and an intermediate copy would fill the cache. None if the kernel is cut
 // into parts.
 std::optional<Kernel> kernel_in_place(const Callable& callable) {
   if (!is_symmetric(callable)) return std::nullopt;
@@ -26,8 +26,8 @@ std::optional<Kernel> kernel_in_place(const Callable& callable) {
   return kernel.lines.size() <= kLongest ? std::optional(std::move(kernel)) : std::nullopt;
 }
 
-// A kernel that writes to columns. Inlined into the loop over blocks, it would keep the address of each column in
-// memory.
+// A kernel that writes to columns. It is not inlined into the loop over blocks, because it would then keep the address
+// of each column in memory.
 std::string column_kernel(const Kernel& kernel) {
   std::vector<std::string> list;
   for (const Parameter& p : kernel.parameters)
@@ -36,7 +36,8 @@ std::string column_kernel(const Kernel& kernel) {
          declaration("[[gnu::noinline]] void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
 }
 
-// The member function of a block that stores a result, or, with `columns`, what a kernel has not written in place.
+// The member function of a block that stores a result; with `columns`, it stores what a kernel has not written in
+// place.
 std::string store_of(const BatchArray& array, bool is_lower, bool columns) {
   const std::string name = std::string("store") + (is_lower ? "_lower" : "") + (columns ? "_buffer" : "");
   return "block.template " + name + "<" + std::to_string(is_lower ? array.rows : array.size) + ">";
@@ -66,7 +67,7 @@ std::string definition(const Api& api, const BatchKernel& kernel, bool in_place)
          call("::" + api.space + kernels + kernel.callable->kernel, arguments, 4) + store + "  }\n}\n";
 }
 
-// Those that take blocks of states.
+// The kernels that take blocks of states.
 std::vector<BatchKernel> in_blocks(const Api& api, const std::string& group) {
   std::vector<BatchKernel> kernels = batch_kernels(callables_of(api, group));
   std::erase_if(kernels, [](const BatchKernel& k) { return takes_single_states(*k.callable); });

@@ -1,4 +1,4 @@
-// <name>/reflection.h of a library with no robot: its transforms as products of primitives, for the self-check.
+// <name>/reflection.h of a library without a robot: its transforms as products of primitives, for the self-check.
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/flat_tables.h"
 #include "backend/cpp/layout.h"
@@ -12,13 +12,13 @@ namespace {
 
 using symbolic::Role;
 
-// A run of a table that others refer to.
+// A range of a table that another table refers to.
 std::string span(const std::string& table, std::size_t first, std::size_t size) {
   if (size == 0) return "{nullptr, 0}";
   return braced({table + (first ? " + " + std::to_string(first) : ""), std::to_string(size)});
 }
 
-// A function of the interface with arrays of all parameters and all variables for arguments.
+// A wrapper of an interface function, whose arguments are the arrays of all parameters and of all variables.
 std::string caller(const Api& api, const Callable& callable) {
   std::string name = "call_" + callable.kernel;
   std::vector<std::string> arguments;
@@ -44,7 +44,7 @@ std::string caller(const Api& api, const Callable& callable) {
          call("return " + callable.function->scope + "::" + callable.name, arguments, 2) + "}\n";
 }
 
-// The function of the amounts of a transform's factors, from all parameters and all variables.
+// The function that computes the amounts of a transform's factors from all parameters and all variables.
 std::string amounts_of(const Callable& homogeneous) {
   const symbolic::Program& program = homogeneous.function->factors->amounts;
   const Kernel kernel = lower(program, "amounts_" + homogeneous.kernel);
@@ -59,7 +59,7 @@ std::string amounts_of(const Callable& homogeneous) {
   return signature("void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
 }
 
-// Tables of factors and transforms; a row of the latter refers to a run of the former.
+// Tables of factors and of transforms. A row of the latter refers to a range of the former.
 class Tables {
  public:
   explicit Tables(const Api& api) : api_(api) {
@@ -115,7 +115,7 @@ class Tables {
     transforms_.push_back(std::move(row));
   }
 
-  // The function of the same name in another form.
+  // The wrapper of the function that has the same name in another form.
   std::string caller_of(const Callable& homogeneous, Role form) const {
     for (const Callable& c : api_.callables)
       if (c.function->name == homogeneous.function->name && c.function->program.outputs.front().role == form)

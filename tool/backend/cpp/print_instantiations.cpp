@@ -1,4 +1,4 @@
-// <name>/detail/kernels.h, the declarations of all kernels, and <name>/<group>.cpp, that compiles them.
+// <name>/detail/kernels.h, the declarations of all kernels, and <name>/<group>.cpp, which compiles them.
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"

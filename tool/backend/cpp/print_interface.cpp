@@ -1,8 +1,9 @@
 // <name>/<name>.h, which declares the functions over Eigen types, and <name>/detail/functions.inc, which defines them
-// over the kernels and has them as static members of a type. The first includes the second once in each precision.
+// over the kernels and collects them as static members of a type. The first file includes the second once per
+// precision.
 //
-// The functions are inline: compiled with the user's options, so that options of the library's own translation units
-// can never change how Eigen lays out what crosses the border.
+// The functions are inline and therefore compiled with the user's options, so that the options of the library's own
+// translation units can never change how Eigen lays out the arguments and results.
 #include <algorithm>
 #include <set>
 
@@ -13,10 +14,11 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// The namespace of the precision that <name>/detail/functions.inc is included in: members of Robot call its functions.
+// The alias of the namespace into which <name>/detail/functions.inc is included, one per precision. Members of Robot
+// call the functions there.
 constexpr const char* kHere = "here";
 
-// Defined while that file is included: a header that a build compiles by itself must be sound.
+// Defined while that file is included, so that a build that compiles each header by itself succeeds.
 constexpr const char* kIncluded = "ROBCOGEN_DEFINITIONS";
 
 std::vector<std::string> parameter_list(const Overload& overload) {
@@ -26,7 +28,7 @@ std::vector<std::string> parameter_list(const Overload& overload) {
   return list;
 }
 
-// Returned as a plain number; all other results are Eigen matrices or have `data()`.
+// Whether the output is returned as a plain number. All other results are Eigen matrices or have `data()`.
 bool is_scalar(const symbolic::OutputArray& output) {
   return output.role == symbolic::Role::energy || output.role == symbolic::Role::mass;
 }
@@ -53,7 +55,7 @@ std::string call_of_kernel(const Overload& overload, std::size_t indent = 2) {
          margin + "return " + result + ";\n";
 }
 
-// Arguments passed on to an overload that takes gravity too, if this one does not.
+// The arguments for the overload that also takes gravity, if this one does not.
 std::vector<std::string> passed_on(const Overload& overload) {
   std::vector<std::string> arguments;
   for (std::size_t p = 0, a = 0; p < overload.callable->function->program.inputs.size(); ++p) {
@@ -77,7 +79,7 @@ std::string function(const Overload& overload) {
   return declaration(head, parameter_list(overload), " noexcept {") + body(overload) + "}\n";
 }
 
-// Makes the object from the arguments of the function that returns it.
+// The constructor that makes the object from the arguments of the function that returns it.
 std::string constructor(const Overload& maker) {
   std::vector<std::string> arguments = maker.inputs;
   for (const symbolic::OutputArray& output : maker.callable->function->program.outputs)
@@ -94,7 +96,7 @@ std::string method(const Overload& overload) {
          "  }\n";
 }
 
-// The names of types as they are in the class template of a factor.
+// Aliases for the names of types inside the class template of a factor.
 std::string types_of_members(const Api& api) {
   const std::string size = api.library->floating_base ? "6 + kDof" : "kDof";
   std::string text =
@@ -120,7 +122,7 @@ std::string columns_constant(const Api& api, const Callable& callable) {
       "inline constexpr std::array<Joint, " + std::to_string(joints.size()) + "> " + callable.columns, joints);
 }
 
-// The functions of one name as a user reads them: what an overload adds to those above it is said once.
+// The declarations of the functions of one name. A remark on how an overload differs from those above it is made once.
 std::string declarations(const Api& api, const std::vector<Overload>& set) {
   std::string text;
   std::set<std::string> said;
@@ -144,7 +146,7 @@ std::string declarations(const Api& api, const std::vector<Overload>& set) {
   return text;
 }
 
-// The overloads of one name stand together.
+// The overloads of one name, grouped.
 std::vector<std::vector<Overload>> sets(const Api& api, const std::string& group, const std::string& scope) {
   std::vector<std::vector<Overload>> result;
   for (Overload& o : overloads(api, group, scope)) {
@@ -178,7 +180,7 @@ std::string definitions(const Api& api, const std::string& group) {
   return paragraphs(parts);
 }
 
-// A robot with parameters carries them.
+// An object of a robot with parameters holds them.
 std::string member_function(const Overload& overload) {
   const bool carries = !overload.arguments.empty() && overload.arguments.front().type == kParametersType;
   const std::string head = (carries ? "" : "static ") + overload.result + " " + overload.callable->name;
@@ -264,7 +266,7 @@ std::string robot_type(const Api& api) {
   return "// The robot as a type, for code that is generic over robots.\nstruct Robot {\n" + paragraphs(parts) + "};\n";
 }
 
-// The conventions of all functions.
+// The conventions that hold for all functions.
 std::string conventions(const Api& api) {
   const Library& library = *api.library;
   std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
@@ -284,7 +286,7 @@ std::string conventions(const Api& api) {
   return comment(text);
 }
 
-// Includes the definitions into the namespace of a precision.
+// The lines that include the definitions into the namespace of a precision.
 std::string definitions_in(const Api& api, const std::string& space) {
   const std::string alias =
       api.library->has_robot() ? "namespace " + std::string(kHere) + " = ::" + space + ";\n" : std::string();

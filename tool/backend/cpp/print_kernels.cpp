@@ -1,4 +1,4 @@
-// <name>/kernel/<group>.h, the kernels as text.
+// <name>/kernel/<group>.h, which contains the text of the kernels.
 #include <algorithm>
 
 #include "backend/common/cache.h"
@@ -14,7 +14,7 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// The names of what is printed twice.
+// The namespaces of kernels that are printed twice.
 constexpr const char* kInLanes = "in_lanes";
 constexpr const char* kOneByOne = "one_by_one";
 
@@ -56,10 +56,10 @@ std::string definition(const Kernel& kernel, const std::string& specifiers = "")
   return signature(head, kernel.parameters, " noexcept {") + body(kernel) + "}\n";
 }
 
-// Where the parts of long kernels stand.
+// The namespace of the parts of long kernels.
 constexpr const char* kParts = "parts";
 
-// Inlined into the one function that calls it, a part would be none.
+// Parts are not inlined: the compiler would merge them into their only caller and undo the split.
 std::string print_parts(const Parts& parts, const std::string& name) {
   std::vector<std::string> list;
   for (const Kernel& part : parts.kernels) {
@@ -71,7 +71,7 @@ std::string print_parts(const Parts& parts, const std::string& name) {
   return in_namespace(kParts, paragraphs(list));
 }
 
-// The kernel that calls them.
+// The kernel that calls the parts.
 std::string definition(const Kernel& kernel, const Parts& parts) {
   std::string text = signature("void " + kernel.name, kernel.parameters, " noexcept {");
   for (const Handed& h : parts.handed)
@@ -81,7 +81,7 @@ std::string definition(const Kernel& kernel, const Parts& parts) {
   return text + "}\n";
 }
 
-// The kernel behind these comments, and before them its parts where it is long.
+// The kernel after these comments, preceded by its parts if it is long.
 std::string print_whole_or_parts(const std::string& comments, const Kernel& kernel) {
   if (!is_split(kernel)) return comments + definition(kernel);
   const Parts parts = split(kernel);
@@ -95,7 +95,7 @@ std::string numbered(const std::vector<std::string>& names) {
   return result.empty() ? "none" : result;
 }
 
-// The elements of a kernel's arrays, where they differ from function to function.
+// The elements of a kernel's arrays, if they differ between functions.
 std::string arrays(const Library& library, const symbolic::Program& program) {
   if (library.has_robot()) return "";
   std::string result;
@@ -108,16 +108,16 @@ std::string summary(const Callable& callable) {
   const Function& function = *callable.function;
   std::string result = comment(function.summary);
   if (!function.method.empty()) result += comment(function.method);
-  // Of a transform that is a few products nobody asks.
+  // The rounding error of a transform, which is only a few products, is of no interest.
   if (function.error && function.group != "transforms")
     result += comment("Rounding errors: " + symbolic::print(*function.error) + ", in units of one rounding.");
   return result;
 }
 
-// Functions that are compiled into their caller.
+// The specifiers of functions that are compiled into their caller.
 constexpr const char* kInline = "[[gnu::always_inline]] inline ";
 
-// Of a kernel whose limbs share lanes.
+// The comments on a kernel whose limbs share lanes.
 std::string comments_in_lanes(const Callable& callable) {
   std::string text;
   for (const std::string& limbs : callable.function->limbs_in_lanes)
@@ -125,7 +125,7 @@ std::string comments_in_lanes(const Callable& callable) {
   return text + comment("Where limbs are mirrored, some lanes of a value are negated.");
 }
 
-// Chooses between the two kernels of a function.
+// The function that chooses between the two kernels.
 std::string print_chooser(
     const Callable& callable,
     const std::vector<Parameter>& parameters,
@@ -137,7 +137,7 @@ std::string print_chooser(
          call_in(kOneByOne) + "  }\n}\n";
 }
 
-// The same where the way in lanes is for small angles only.
+// The same if the kernel in lanes is for small angles only.
 std::string print_chooser_of_small_angles(const Callable& callable) {
   const std::vector<std::string> names = names_of(callable.parameters);
   const std::vector<symbolic::InputArray>& inputs = callable.function->program.inputs;
@@ -154,7 +154,7 @@ std::string print_chooser_of_small_angles(const Callable& callable) {
          "      return;\n    }\n  }\n" + call_in(kOneByOne, 2) + "}\n";
 }
 
-// Where equal limbs share lanes, both ways of computing it, and what chooses between them.
+// Both kernels of a function whose congruent limbs share lanes, and the function that chooses between them.
 std::string print_both(
     const Callable& callable,
     const std::string& in_lanes,
@@ -164,8 +164,8 @@ std::string print_both(
       {in_namespace(kInLanes, in_lanes), in_namespace(kOneByOne, one_by_one), summary(callable) + chooser});
 }
 
-// Instructions of a core that is compiled into its caller too, for the call is measurable there. All others are
-// compiled once.
+// The largest number of instructions of a core that is also compiled into its caller, because the cost of the call is
+// measurable there. All other cores are compiled once.
 constexpr int kSmallCore = 64;
 
 std::string print_core(const Callable& callable) {
@@ -183,7 +183,7 @@ std::string print_core(const Callable& callable) {
       print_chooser(callable, callable.core_parameters, kInline));
 }
 
-// Sines and cosines of these angles, each to its place in sin_q and cos_q.
+// Computes the sines and cosines of these angles, each into its element of sin_q and cos_q.
 std::string sines_and_cosines(const Library& library, const std::vector<int>& read, const symbolic::Program& angles) {
   if (read.empty()) return "";
   std::vector<std::string> places;
@@ -194,7 +194,7 @@ std::string sines_and_cosines(const Library& library, const std::vector<int>& re
            template_call("robcogen::sincos_to", places, "(angles, sin_q, cos_q)", 2);
   }
   const int first = read.front(), count = read.back() - first + 1;
-  // Of joints that follow each other; a few in between do no harm.
+  // Consecutive joints are computed together; a few unused ones in between do no harm.
   if (count > 2 * static_cast<int>(read.size()))
     return template_call("robcogen::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const auto from = [&](const std::string& array) {
@@ -204,8 +204,9 @@ std::string sines_and_cosines(const Library& library, const std::vector<int>& re
   return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
 }
 
-// Instructions of a kernel in lanes that computes its own sines: on their way to a core, from an array to lanes, they
-// take about fifty more. All others call a core in lanes: that is written and compiled once.
+// The largest number of instructions of a kernel in lanes that computes its own sines. Passing them to a core, from an
+// array into lanes, would take about fifty more. All other kernels call a core in lanes, which is written and compiled
+// once.
 constexpr int kSmallInLanes = 512;
 
 bool has_own_lanes(const Function& function) {
@@ -223,13 +224,13 @@ std::string print_caller(const Library& library, const Callable& callable) {
     text += comment("Additions that compute angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
-  // Stored as vectors and read one by one: a vector across two cache lines would be waited for.
+  // The arrays are stored as vectors and read one by one: a load from a vector across two cache lines would stall.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
   text += sines_and_cosines(library, parts.read, parts.angles);
   return text + call("core::" + callable.kernel, names_of(callable.core_parameters), 2) + "}\n";
 }
 
-// Behind these comments.
+// The kernel without lanes, after these comments.
 std::string print_one_by_one(const Library& library, const Callable& callable, const std::string& comments = "") {
   if (callable.function->parts) return comments + print_caller(library, callable);
   const symbolic::Program& program = callable.function->program;
@@ -237,13 +238,13 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
       comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
 }
 
-// A kernel that calls a stage for right-hand sides, and solves for them column by column.
+// A kernel that calls a stage for the right-hand sides, and solves for them column by column.
 std::string print_solver(const Callable& callable) {
   return summary(callable) + signature("void " + callable.kernel, callable.parameters, " noexcept {") +
          solve_columns(callable) + "}\n";
 }
 
-// What these kernels solve with, column by column; overloads have it in common.
+// The functions with which these kernels solve for one column. Overloads share them.
 std::string print_solutions(const std::vector<const Callable*>& callables) {
   std::vector<std::string> names, texts;
   for (const Callable* c : callables) {
@@ -279,7 +280,7 @@ std::string print_kernel(const Library& library, const Callable& callable) {
       callable, print_whole_or_parts(comments, kernel), one_by_one, print_chooser(callable, callable.parameters));
 }
 
-// Sines and cosines of all angles that turn: of joints that slide they are those of zero.
+// The sines and cosines of all angles. For prismatic joints these are the sine and cosine of zero.
 std::string print_joint_trigonometry(const Library& library) {
   symbolic::Program angles = library.trigonometry->angles;
   std::vector<symbolic::Operand> values;
@@ -308,7 +309,7 @@ std::string print_joint_trigonometry(const Library& library) {
          (body.empty() ? "" : body + "}\n");
 }
 
-// What holds for all kernels.
+// The conventions that hold for all kernels.
 std::string conventions(const Library& library) {
   const std::string overlap = "Outputs must not overlap inputs.";
   if (!library.has_robot()) return overlap;
@@ -317,7 +318,7 @@ std::string conventions(const Library& library) {
   return overlap + " Joints: " + numbered(joints) + ".";
 }
 
-// How names of values read, in kernels of the dynamics.
+// The legend of the names of values, for kernels of the dynamics.
 std::string legend(const std::string& group) {
   if (is_kinematics(group) || group == kParameters || group == kTrigonometry) return "";
   const std::string text = comment(
@@ -329,7 +330,7 @@ std::string legend(const std::string& group) {
   return "//\n" + text;
 }
 
-// The three updates in one.
+// One function that makes all three updates.
 std::string whole_update(const Api& api) {
   std::string result =
       "// The whole cache, from values in the order of kParameterNames, for scalar types that Parameters does not "
@@ -362,7 +363,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
     kernels[i] = print_kernel(*api.library, *callables[i]);
   });
   if (solves) kernels.insert(kernels.begin(), print_solutions(callables));
-  std::erase(cores, std::string());  // of those that read no angles
+  std::erase(cores, std::string());  // cores that read no angles
   if (group == kParameters) kernels.push_back(whole_update(api));
   if (group == kTrigonometry) kernels.push_back(print_joint_trigonometry(*api.library));
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};

@@ -50,7 +50,7 @@ std::string names(const std::string& size, const std::string& name, const std::v
   return array("const char*", size, name, list, numbers);
 }
 
-// Of what moves: the base only where it floats.
+// The mass of all moving links: it includes the base only if the base floats.
 double total_mass(const Library& library) {
   double mass = 0;
   for (const LinkData& link : library.links)
@@ -70,7 +70,7 @@ std::string sizes(const Library& library) {
                              constant("int kLinkCount", count(library.links.size())) +
                              constant("int kFrameCount", count(library.frames.size())) +
                              constant("bool kFloatingBase", library.floating_base ? "true" : "false");
-  // Parameters may change it.
+  // With parameters, the mass is not constant.
   if (!library.numbers.empty()) return result;
   return result + constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links but a fixed base");
 }
@@ -86,12 +86,12 @@ std::string limits(const JointLimits& l) {
          (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
 }
 
-// But the axis of the rotor, which only a rotor has.
+// All numbers except the rotor's axis, which only a rotor has.
 std::array<double, 8> numbers_of(const DriveData& d) {
   return {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest, d.rotor_inertia, d.rotor_ratio};
 }
 
-// What drives add to the dynamics, where a joint has one.
+// The drives of joints, which contribute to the dynamics; `{}` for a joint without one.
 std::vector<std::string> drives(const std::vector<JointData>& joints) {
   std::vector<std::string> all;
   for (const JointData& joint : joints)
@@ -99,7 +99,7 @@ std::vector<std::string> drives(const std::vector<JointData>& joints) {
   return all;
 }
 
-// Whether a drive, or a pitch, has a number without value: it depends on a parameter without default.
+// Whether a number of a drive, or a pitch, has no value because it depends on a parameter without default.
 bool is_incomplete(const Library& library) {
   const std::vector<JointData> joints = library.all_joints();
   return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) {
@@ -162,7 +162,7 @@ std::vector<std::string> tables_of_joints(
                                  : ""};
 }
 
-// How coupled joints follow the others, where that does not depend on parameters.
+// How coupled joints follow the others, unless that depends on parameters.
 std::string coupling_tables(const Api& api) {
   const Library& library = *api.library;
   if (!library.numbers.empty()) return "";
@@ -195,7 +195,7 @@ std::string joint_tables(const Api& api) {
   return paragraphs(tables);
 }
 
-// Index of a joint, counted on to coupled ones.
+// The index of a joint. Coupled joints are numbered after the others.
 std::string joint_index(const Api& api, int joint) {
   const std::size_t dof = api.joints.size();
   if (joint < 0) return "-1";
@@ -222,7 +222,7 @@ std::string frame_tables(const Api& api) {
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
 }
 
-// Elements of all limbs in one array, of which each limb has three parts.
+// The elements of all limbs in one array; each limb refers to three ranges of it.
 std::string limb_tables(const Api& api) {
   const std::vector<LimbData>& limbs = api.library->limbs;
   if (limbs.empty()) return "";

@@ -1,4 +1,4 @@
-// <name>/parameters.h: the values of a robot's parameters, and what its functions read of them.
+// <name>/parameters.h: the values of a robot's parameters, and the cache that its functions read.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ bool is_shared(const ParameterData& p) {
   return p.is_kinematics && p.is_dynamics;
 }
 
-// Calls f(index) for the parameters of a kind, in order; those of both kinds too.
+// Calls f(index) for the parameters of a kind, in order, including those that are of both kinds.
 template <class F>
 void for_each_of(const Library& library, const Kind& kind, F f) {
   for (std::size_t i = 0; i < library.parameters.size(); ++i) {
@@ -62,7 +62,7 @@ std::string getter(const Api& api, std::size_t i) {
   return "  double " + api.getters[i] + "() const noexcept override { return " + api.fields[i] + "; }\n";
 }
 
-// A virtual base of the values of either kind: values of both kinds hold these once.
+// A virtual base of the values of either kind, so that values of both kinds hold the shared ones once.
 std::string shared_values_type(const Api& api) {
   const Library& library = *api.library;
   if (!has_shared(library)) return "";
@@ -85,7 +85,7 @@ std::string values_type(const Api& api, const Kind& kind) {
          body + "};\n";
 }
 
-// Names of parameters, of those only that f(index) wants.
+// The names of the parameters for which wants(index) is true.
 template <class F>
 std::string names_of(const Api& api, F wants) {
   std::vector<std::string> names;
@@ -110,7 +110,7 @@ std::string array_type(const Api& api) {
 
 std::string all_values_type(const Api& api) {
   const Library& library = *api.library;
-  // One getter for both interfaces; else the name of those inherited would be ambiguous.
+  // One getter for both interfaces; otherwise the inherited name would be ambiguous.
   std::string getters;
   for (std::size_t i = 0; i < library.parameters.size(); ++i)
     if (is_shared(library.parameters[i])) getters += getter(api, i);
@@ -131,8 +131,8 @@ std::string compute(const Api& api, const std::vector<std::size_t>& parts) {
   return body;
 }
 
-// Values that are read anew, then the parts of the cache that depend on them. Of two interfaces the first one is asked
-// for what stands in both.
+// Reads values anew, then computes the parts of the cache that depend on them. A value that both interfaces have is
+// read from the first one.
 std::string update(const Api& api, const std::vector<Kind>& read, const std::vector<std::size_t>& parts) {
   std::vector<std::string> arguments;
   std::string body;
@@ -150,7 +150,7 @@ std::string update(const Api& api, const std::vector<Kind>& read, const std::vec
          (body.empty() ? "" : body + "  }\n");
 }
 
-// Names of parameters that stand in both interfaces.
+// The names of the parameters that both interfaces have.
 std::string shared_names(const Api& api) {
   return names_of(api, [&](std::size_t i) { return is_shared(api.library->parameters[i]); });
 }

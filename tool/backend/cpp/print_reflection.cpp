@@ -44,7 +44,7 @@ Table joints(const Library& library) {
   return table("Joint", "kJoints", rows);
 }
 
-// Of the last joints, with a list of factors each.
+// The coupled joints, which come last, each with a list of factors.
 Table couplings(const Library& library) {
   std::vector<std::vector<Field>> rows;
   std::string lists;
@@ -114,7 +114,7 @@ bool is_form(const Callable& c, Role role) {
          c.function->program.outputs.front().role == role;
 }
 
-// One row a pair of frames that has all three forms.
+// One row for each pair of frames that has all three forms.
 Table transforms(const Api& api) {
   using Pair = std::pair<int, int>;
   std::map<Pair, std::string> motion, force;
@@ -131,7 +131,7 @@ Table transforms(const Api& api) {
   return table("Transform", "kTransforms", rows);
 }
 
-// The list of the joints of a Jacobian's columns.
+// The list of the joints that a Jacobian's columns belong to.
 Table columns_of(const Callable& c) {
   if (c.function->columns.empty()) return {"", "nullptr"};
   std::vector<std::string> indices;
@@ -156,14 +156,14 @@ Table jacobians(const Api& api) {
   return result;
 }
 
-// -1: it reads none.
+// The offset of the joint positions among the inputs; -1 if the function reads none.
 int positions_of(const symbolic::Program& program) {
   std::size_t input = 0;
   while (input < program.inputs.size() && program.inputs[input].role != Role::joint_position) ++input;
   return input < program.inputs.size() ? static_cast<int>(offset_of(program, input)) : -1;
 }
 
-// And its core, which takes sines and cosines behind q.
+// The flat form of the core, which takes sines and cosines after q.
 Field flat_core(const Callable& c) {
   const symbolic::Program& program = c.function->program;
   std::vector<std::size_t> before, behind;
@@ -178,7 +178,7 @@ Field flat_core(const Callable& c) {
        offset_list(offsets_of_outputs(program))}};
 }
 
-// And the function over many states.
+// The flat form of the function over many states.
 Field flat_batch(const Callable& c) {
   std::vector<std::size_t> read;
   std::size_t offset = 0;
@@ -197,7 +197,7 @@ Field flat_batch(const Callable& c) {
        offset_list(offsets_of_outputs(c.function->program))}};
 }
 
-// Functions that the table of FrameFunction is about.
+// The quantity of a function that belongs in the table of FrameFunction.
 std::optional<std::string> frame_quantity(const Callable& c) {
   constexpr std::array kQuantities = {
       std::pair{Role::jacobian_in_target, "jacobian_in_target"},
@@ -228,7 +228,7 @@ Table frame_functions(const Api& api) {
   return result;
 }
 
-// All kernels of robots with parameters, those that fill their cache too.
+// All kernels of a robot, including those that fill the cache of its parameters.
 std::vector<const Callable*> all_callables(const Api& api) {
   std::vector<const Callable*> result;
   for (const std::vector<Callable>* list : {&api.callables, &api.updates})
@@ -236,7 +236,7 @@ std::vector<const Callable*> all_callables(const Api& api) {
   return result;
 }
 
-// The kernels of sines and cosines under signatures that have `parameters` whether the robot has some or not.
+// The kernels of sines and cosines, with signatures that have `parameters` even if the robot has none.
 std::string flat_trigonometry(const Api& api) {
   if (!api.takes_sines()) return "";
   const std::string parameters = api.is_parametric() ? "const double* parameters" : "const double*";
@@ -273,7 +273,7 @@ Table functions(const Api& api) {
   return table("Function", "kFunctions", rows);
 }
 
-// Of functions over many states; what they read of a state are no parameters.
+// The functions over many states. Parameters do not count as inputs of a state.
 Table batch_functions(const Api& api) {
   std::vector<std::vector<Field>> rows;
   for (const Callable& c : api.callables) {
@@ -294,7 +294,8 @@ Table parameters(const Library& library) {
   return table("Parameter", "kParameters", rows);
 }
 
-// The last fields of `robot`: values, what they are, and what they are where nothing is said.
+// The last fields of `robot`: the value, a remark that says what it is, and the default. Trailing fields that have
+// their default are left out.
 struct LastField {
   std::string value, remark, usual;
 };

@@ -1,11 +1,11 @@
-// What <name>/types.h says of sines and cosines of all joints: a value that functions take in the place of q.
+// The part of <name>/types.h for the sines and cosines of all joints: a value that functions take in the place of q.
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 
 namespace robcogen::backend::cpp {
 namespace {
 
-// A constructor of these arguments, and what of them the kernel reads.
+// A constructor with these arguments, and the names of those that the kernel reads.
 std::string constructor(
     const Api& api,
     const std::string& explicitly,

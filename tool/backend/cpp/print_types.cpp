@@ -52,7 +52,7 @@ std::string aliases(const Api& api, const std::string& scalar) {
   return result + "\n" + matrix_alias(scalar);
 }
 
-// The types of this precision that are class templates of the library's own.
+// The aliases, in this precision, of the library's own class templates.
 std::string aliases_of_classes(const Api& api, const std::string& scalar) {
   std::string text;
   const auto add = [&](const std::string& name) {
@@ -65,14 +65,14 @@ std::string aliases_of_classes(const Api& api, const std::string& scalar) {
   return text;
 }
 
-// What functions of transforms take and return.
+// The types that functions of transforms take and return.
 std::string transform_types(const Api& api, const std::string& scalar) {
   return paragraphs(
       {"using Scalar = " + scalar + ";\n" + aliases_of_classes(api, scalar), matrix_alias(scalar),
        parameters_struct(api, scalar)});
 }
 
-// A member of a structure of results.
+// The type of a member of a result structure.
 std::string member_type(const symbolic::OutputArray& output) {
   switch (output.role) {
     case symbolic::Role::joint_force:
@@ -93,7 +93,7 @@ std::string member_type(const symbolic::OutputArray& output) {
   }
 }
 
-// What functions return that give several values.
+// The structures that functions with several results return.
 std::string structures(const Api& api) {
   std::vector<std::string> texts;
   for (const Callable* c : callables_with_structures(api)) {
@@ -107,7 +107,7 @@ std::string structures(const Api& api) {
   return paragraphs(texts);
 }
 
-// The same types there; empty without it.
+// The same types in namespace f32; empty if the library has no single precision.
 std::string in_single_precision(const Library& library, const std::string& types) {
   if (!library.has_single_precision) return "";
   return "// The same in single precision.\n" + in_namespace("f32", types);

@@ -16,13 +16,14 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// What robcogen::are_small says of each position, and what the polynomials are for (rad); in double, and in float.
+// The largest angle that robcogen::are_small accepts, and the largest that the polynomials are made for (rad), in
+// double and in float.
 struct Range {
   double small, largest;
 };
 constexpr Range kRanges[] = {{3e4, 1e5}, {120, 400}};
 
-// The largest magnitude that each statement can have, from positions up to `small`.
+// The largest magnitude of each statement, for positions of magnitude up to `small`.
 std::vector<double> largest_values(const Program& p, double small) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   std::vector<double> inputs, result;

@@ -6,11 +6,11 @@
 
 namespace robcogen::backend::cpp {
 
-// Whether robcogen::are_small of the joint positions implies small angles for all sines and cosines in lanes of the
-// kernel, and there are some: their angles are sums of at most three positions, some negated.
+// Whether the kernel has sines and cosines in lanes, and robcogen::are_small for the joint positions implies that all
+// of their angles are small: the angles are sums of at most three positions, some negated.
 bool has_small_angles(const symbolic::Program& program, const Kernel& kernel);
 
-// Marks them in a kernel that is called for small angles only.
+// Marks the sines and cosines in a kernel that is called for small angles only.
 Kernel of_small_angles(Kernel kernel);
 
 }  // namespace robcogen::backend::cpp

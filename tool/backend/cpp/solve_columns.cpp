@@ -10,7 +10,7 @@ namespace {
 
 using symbolic::SolvedColumns;
 
-// The solver of columns of limbs.
+// Prints the solver for columns of limbs.
 std::string print_limb_solver(const SolvedColumns::Limbs& limbs) {
   const int numbers = static_cast<int>(limbs.own.size()) / limbs.count;
   std::vector<std::string> places = {"short"}, arguments;
@@ -26,8 +26,8 @@ std::string print_limb_solver(const SolvedColumns::Limbs& limbs) {
          template_call("const robcogen::LimbSolver", arguments, " of_limbs(solver, factor, Places())", 4);
 }
 
-// Solves for blocks of right-hand sides; for columns of limbs together, where these fill the lanes of a register.
-// `arrays`: of the outputs.
+// Prints the solution of all blocks of right-hand sides. Columns of limbs are solved together if they fill the lanes of
+// a register. `arrays`: the names of the outputs.
 std::string print_solutions_of_blocks(const SolvedColumns& solved, const std::vector<std::string>& arrays) {
   const std::size_t inner = solved.limbs ? 4 : 2;
   std::string one_by_one, of_limbs, rest;

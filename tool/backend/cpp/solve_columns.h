@@ -7,8 +7,9 @@
 
 namespace robcogen::backend::cpp {
 
-// Calls the stage that computes right-hand sides and a factor, and solves for the columns of each block: one in each
-// lane of a register, and of limbs one of each limb, where these fill it.
+// The code that calls the stage that computes right-hand sides and a factor, and solves for the columns of each block:
+// one column per lane of a register. Columns of limbs are solved with one limb per lane, if the limbs fill the
+// register.
 std::string solve_columns(const Callable& callable);
 
 }  // namespace robcogen::backend::cpp

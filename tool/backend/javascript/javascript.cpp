@@ -16,7 +16,7 @@ using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
 
-// With scopes as `transforms.homogeneous`, and legal names. A member may have any name.
+// Callables with dotted scopes, `transforms.homogeneous`, and legal names. A member may have any name.
 std::vector<Callable> named_callables(const Library& library) {
   std::vector<Callable> result = callables(library);
   NameScope names(dialect().is_reserved);
@@ -31,7 +31,7 @@ std::string whole_name(const Callable& callable) {
   return callable.scope.empty() ? callable.name : callable.scope + "." + callable.name;
 }
 
-// The functions that take arguments; no function of a robot has such a name.
+// The functions that check arguments. Their names begin with a character that no function of a robot has.
 constexpr const char* kChecks =
 #include "backend/javascript/checks.inc"
     ;
@@ -40,7 +40,7 @@ constexpr const char* kParameterChecks =
 #include "backend/javascript/parameter_checks.inc"
     ;
 
-// The text that checks an argument and puts it into the form that the lines read.
+// The code that checks an argument and converts it into the form that the lines read.
 std::string check(const std::string& function, const InputArray& input, const Parameter& parameter) {
   const std::string& name = parameter.name;
   if (input.role == Role::parameters) return "  $parameters(\"" + function + ": " + name + "\", " + name + ");\n";
@@ -193,7 +193,7 @@ std::vector<std::string> input_names(const symbolic::Program& program, const Ker
   return names;
 }
 
-// A function of the module's own, without checks; returns its name.
+// Prints a function that is private to the module, without checks, and returns its name.
 std::string print_private(const Function& function, std::string& text) {
   const Kernel kernel = lower(function.program, function.kernel, dialect());
   const std::string name = "$" + function.kernel;
@@ -202,7 +202,7 @@ std::string print_private(const Function& function, std::string& text) {
   return name;
 }
 
-// Computes right-hand sides, and puts solutions in their place.
+// Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Library& library, const Callable& callable) {
   const Function& function = callable.longest();
   const Kernel kernel = without_lines(function, dialect());

@@ -7,10 +7,11 @@
 
 namespace robcogen::backend::javascript {
 
-// <name>.mjs, with the enclosing namespaces in front of the name, `a_b_hyl.mjs`: constants of the robot, and its
-// functions by the names that `eval` takes: `inverse_dynamics(…)`, `transforms.homogeneous.fr_base_X_fr_foot(q)`.
-// Vectors are arrays of numbers, matrices arrays of rows. Overloads are one function, whose last arguments may be left
-// out. A function throws a TypeError for arguments of another shape.
+// Prints <name>.mjs, where the enclosing namespaces precede the name, `a_b_hyl.mjs`: the constants of the robot, and
+// its functions under the names that `eval` takes: `inverse_dynamics(…)`,
+// `transforms.homogeneous.fr_base_X_fr_foot(q)`. Vectors are arrays of numbers, matrices are arrays of rows. Overloads
+// are one function whose last arguments may be left out. A function throws a TypeError if an argument has another
+// shape.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::javascript

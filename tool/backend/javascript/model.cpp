@@ -5,7 +5,7 @@
 namespace robcogen::backend::javascript {
 namespace {
 
-// The member `__proto__` of a literal would be something else.
+// In an object literal, the key `__proto__` would set the prototype.
 std::string key(const std::string& name) {
   return name == "__proto__" ? "[" + quoted(name) + "]" : name;
 }

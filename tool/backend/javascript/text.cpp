@@ -7,7 +7,7 @@
 namespace robcogen::backend::javascript {
 namespace {
 
-// What no variable of a module can be called, and global values that the text could mean.
+// Words that no variable of a module may have as its name, and global values that the text may refer to.
 constexpr std::string_view kReserved =
     " Infinity NaN arguments await break case catch class const continue debugger default delete do else enum eval "
     "export extends false finally for function if implements import in instanceof interface let new null package "

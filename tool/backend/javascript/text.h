@@ -17,7 +17,7 @@ const Dialect& dialect();
 // The members of the object of parameters, by the names of all parameters.
 std::vector<std::string> members(const std::vector<std::string>& parameters);
 
-// The shortest text of a number; NaN and infinities too.
+// The shortest text of a number, which may be NaN or infinite.
 std::string number(double value);
 
 // A string literal of one line.
@@ -26,10 +26,10 @@ std::string quoted(const std::string& text);
 // `head item, item tail`, continued on lines that are indented by four more where it is too long.
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
 
-// Lines of a comment, each begun anew where it is too long. They do not end the comment.
+// Lines of a comment, wrapped if they are too long. They cannot end the comment.
 std::string comment_lines(const std::vector<std::string>& lines, const std::string& margin);
 
-// `export const model`: what the library knows about the robot.
+// `export const model`, the constants of the robot.
 std::string print_model(const Library& library);
 
 }  // namespace robcogen::backend::javascript

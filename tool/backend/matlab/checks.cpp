@@ -1,4 +1,4 @@
-// What a function does before all else: it refuses missing arguments and those of another shape, and gives the others
+// The first lines of a function: they refuse missing arguments and arguments of another shape, and give the others
 // their defaults.
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 using symbolic::InputArray;
 using symbolic::Role;
 
-// What a caller passes under one name.
+// An argument of the function, as the caller passes it.
 struct Argument {
   std::string name;
   int rows = 1;
@@ -19,7 +19,7 @@ struct Argument {
   Role role = Role::variables;
 };
 
-// Variables of a document are arguments one by one.
+// The variables of a document are separate arguments.
 std::vector<Argument> arguments(const std::vector<InputArray>& inputs, const Kernel& kernel, std::size_t count) {
   std::vector<Argument> result;
   for (std::size_t i = 0; i < count; ++i) {
@@ -48,7 +48,8 @@ std::string note(const Argument& a) {
   return a.role == Role::gravity ? " (m/s^2, in base coordinates)" : "";
 }
 
-// `    error('function: message', values);`, with the function's name apart where a line has no room for both.
+// `    error('function: message', values);`. The function's name is a separate argument if the line has no room for
+// both.
 std::string error(const std::string& function, const std::string& message, std::vector<std::string> values) {
   std::string text = quoted(function + ": " + message);
   if (text.size() + 16 > kColumns) {
@@ -68,7 +69,7 @@ std::string missing(const std::string& function, const std::vector<Argument>& re
          error(function, "missing %s", {"strjoin(names(nargin + 1:end), ', ')"}) + "  end\n";
 }
 
-// Empty where every shape will do: nothing is read of an array without elements.
+// The test that fails. It is empty if any shape will do, because nothing is read from an array without elements.
 std::string condition(const Argument& a) {
   if (a.role == Role::parameters) return "~isstruct(" + a.name + ")";
   if (a.rows * a.columns == 0) return "";

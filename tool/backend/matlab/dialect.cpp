@@ -88,12 +88,12 @@ constexpr auto kWords = std::to_array<std::string_view>({
     "zeros",
 });
 
-// A file of such a name would shadow the function, and a variable hide it from the rest of its function.
+// A file of such a name would shadow the function, and a variable would hide it from the rest of its function.
 constexpr std::string_view kFunctions[] = {
 #include "backend/matlab/functions.inc"
 };
 
-// Functions that MATLAB has and Octave has not, where a model may have such a name.
+// Functions of MATLAB that Octave does not have, and whose names a model may use.
 constexpr auto kMatlabFunctions = std::to_array<std::string_view>(
     {"arguments", "categorical", "containers", "contains", "datetime", "digraph", "duration", "extract",
      "graph",     "height",      "import",     "join",     "matlab",   "meta",    "missing",  "pad",
@@ -112,7 +112,7 @@ bool is_function(const std::string& name) {
   return functions.count(name) > 0;
 }
 
-// Results of ours, under names that readers expect, in functions that have no use for what Octave calls so.
+// Names of results that readers expect. The functions that return them do not need the Octave functions of these names.
 bool is_quantity(const std::string& name) {
   return name == "J" || name == "inverse";
 }

@@ -13,7 +13,7 @@ using symbolic::InputArray;
 using symbolic::Program;
 using symbolic::Role;
 
-// `function [a, b] = name(arguments)`. Variables of a document are arguments one by one.
+// `function [a, b] = name(arguments)`. The variables of a document are separate arguments.
 std::string signature(const Program& program, const Kernel& kernel, const std::string& name) {
   std::vector<std::string> arguments, results;
   for (std::size_t i = 0; i < kernel.parameters.size(); ++i) {
@@ -54,14 +54,14 @@ std::string results(const Program& program, const Kernel& kernel, const std::vec
   return text;
 }
 
-// A function of the file's own.
+// A function that is local to the file.
 std::string print_local(const Function& function, const std::string& name) {
   const Kernel kernel = lower(function.program, name, dialect());
   return "\n" + signature(function.program, kernel, name) +
          blocks({body(kernel, dialect()), results(function.program, kernel)}) + "end\n";
 }
 
-// Computes right-hand sides, and puts solutions in their place.
+// Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Library& library, const Callable& callable) {
   const Function &function = callable.longest(), &stage = right_sides(library, function);
   const Program& program = function.program;

@@ -1,4 +1,4 @@
-// What a function says of itself: the help text.
+// The help text of a function.
 #include <algorithm>
 
 #include "backend/common/meaning.h"
@@ -12,7 +12,7 @@ using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
 
-// What an array is, its unit and its frame; empty where the summary of the function says it.
+// The meaning, unit and frame of an array; empty if the summary of the function says it.
 std::string meaning_of(Role role) {
   switch (role) {
     case Role::link_wrenches:
@@ -44,7 +44,7 @@ std::string results(const Library& library, const Function& function) {
   return text;
 }
 
-// The lines with a first one that stands alone, as searches of help texts show it.
+// The lines, with a first line that is complete by itself, because searches of help texts show only that line.
 std::vector<std::string> titled(const std::string& name, std::vector<std::string> lines) {
   if (lines.empty()) return {""};
   const std::size_t room = kColumns - 4 - name.size();

@@ -10,16 +10,16 @@
 namespace robcogen::backend::matlab {
 namespace {
 
-// The longest name that MATLAB tells from others.
+// MATLAB ignores the characters of a name beyond this length.
 constexpr std::size_t kLongestName = 63;
 
-// What a function is called here where its own name is that of a built-in function: one that says more.
+// More specific names for functions whose own names are those of built-in functions.
 const std::map<std::string, std::string>& renamed() {
   static const std::map<std::string, std::string> names = {{"inverse", "inverse_H"}};
   return names;
 }
 
-// Names of one package. Files of names that differ by case alone would be one file on some systems.
+// The names of one package. Files whose names differ only by case would be one file on some systems.
 struct PackageNames {
   NameScope names = NameScope(is_reserved_file);
   std::set<std::string> lower;
@@ -35,7 +35,7 @@ struct PackageNames {
   }
 };
 
-// Under names that are legal here.
+// The callables under names that are legal in MATLAB.
 std::vector<Callable> named_callables(const Library& library) {
   std::vector<Callable> result = callables(library);
   std::map<std::string, PackageNames> taken;
@@ -47,7 +47,7 @@ std::vector<Callable> named_callables(const Library& library) {
   return result;
 }
 
-// `+a/+hyl/`, scopes below it.
+// `+a/+hyl/`, followed by the scopes.
 std::string package(const Library& library, const std::string& scope) {
   std::string path;
   for (const std::string& name : packages(library, scope)) path += "+" + name + "/";

@@ -1,4 +1,4 @@
-// MATLAB and Octave: a package folder with one function a file.
+// MATLAB and Octave: a package folder with one function per file.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace robcogen::backend::matlab {
 
-// +<name>/<function>.m for the functions of all groups, scopes as packages in it (+transforms/+homogeneous/…),
-// +<name>/model.m with the constants of a robot, and +<name>/Contents.m, an overview.
+// Prints +<name>/<function>.m for the functions of all groups, with scopes as packages in it
+// (+transforms/+homogeneous/…), +<name>/model.m with the constants of a robot, and +<name>/Contents.m, an overview.
 //
 // Vectors are columns, matrices are full. Overloads are one function: external wrenches may be left out, and gravity
-// where the base is fixed. Every function refuses missing arguments and those of another shape. Where there are
-// parameters, a struct of them is the first argument of what depends on them; +<name>/parameters.m returns their
-// declared values. Variables of a document with no robot are arguments one by one, by their names, after the parameters
-// and in the order of the document. Everything runs in both programs unchanged.
+// too if the base is fixed. Every function refuses missing arguments and arguments of another shape. If there are
+// parameters, a struct of them is the first argument of every function that depends on them; +<name>/parameters.m
+// returns their declared values. The variables of a document without a robot are separate arguments under their own
+// names, after the parameters and in the order of the document. All files run unchanged in both programs.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::matlab

@@ -29,7 +29,7 @@ std::string names(const std::string& field, const std::vector<std::string>& item
   return wrapped("  model." + field + " = {", items, "};", ";");
 }
 
-// `model.<field> = […];`, a column for each item.
+// `model.<field> = […];`, one column per item.
 template <class Items, class Column>
 std::string columns(const std::string& field, const Items& items, std::size_t rows, Column column) {
   if (items.empty()) return "  model." + field + " = zeros(" + std::to_string(rows) + ", 0);\n";
@@ -59,7 +59,7 @@ std::string joint_fields(const std::vector<JointData>& joints, const std::string
   return text + columns(prefix + "joint_rotation", joints, 3, [](const JointData& j) { return j.rotation; });
 }
 
-// Of robots with drives.
+// The fields of robots with drives.
 std::string drive_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
   std::string text;
   const auto field = [&](const std::string& name, double DriveData::*value) {
@@ -81,7 +81,7 @@ std::string drive_fields(const std::vector<JointData>& joints, const std::string
                        }));
 }
 
-// Of robots with helical joints.
+// The fields of robots with helical joints.
 std::string pitch_fields(const std::vector<JointData>& joints, const std::string& prefix = "") {
   return type_field(prefix + "is_helical", joints, JointType::helical) +
          column(prefix + "pitch", texts(joints, [](const JointData& j) { return number(j.pitch); }));

@@ -1,4 +1,4 @@
-// How the results of a function are put together from its values.
+// Assembles the results of a function from their values.
 #include <algorithm>
 
 #include "backend/common/meaning.h"
@@ -42,7 +42,7 @@ bool is_zero(const Rows& rows) {
   });
 }
 
-// A transform of spatial vectors by its 3 x 3 parts: the rotation stands in it twice.
+// A transform of spatial vectors, assembled from its 3 x 3 parts; the rotation appears twice.
 std::string spatial_transform(const std::string& name, const Rows& rows) {
   std::string text = zeros(name, 6, 6);
   const Rows rotation = part(rows, 0, 0, 3, 3);
@@ -57,7 +57,7 @@ std::string spatial_transform(const std::string& name, const Rows& rows) {
                                             : text + matrix(name + "(4:6, 4:6)", part(rows, 3, 3, 3, 3));
 }
 
-// Each row from its first to its last element that is not zero, in pieces where there are gaps.
+// Each row from its first to its last nonzero element, in pieces if there are gaps.
 std::string row_by_row(const std::string& name, const Rows& rows) {
   constexpr std::size_t kGap = 3;  // zeros
   std::string text;
@@ -81,7 +81,7 @@ std::string row_by_row(const std::string& name, const Rows& rows) {
   return text;
 }
 
-// Only the rows to the left of the diagonal are written out.
+// Writes out the lower triangle only, and mirrors it.
 std::string symmetric(const std::string& name, const Rows& rows) {
   Rows lower = rows;
   for (std::size_t r = 0; r < lower.size(); ++r) lower[r].resize(r + 1);

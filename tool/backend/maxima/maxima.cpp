@@ -22,9 +22,9 @@ using symbolic::OutputArray;
 using symbolic::Role;
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kEnd = 4;  // of them for what ends a definition
+constexpr std::size_t kEnd = 4;  // of these columns, reserved for the end of a definition
 
-// Words of the syntax and its values, and variables of the system that steer evaluation.
+// Words and values of the syntax, and system variables that control evaluation.
 constexpr auto kReserved = std::to_array<std::string_view>(
     {"and", "do",       "else",      "elseif",    "false", "for",       "from",   "if",    "in",    "ind",
      "inf", "infinity", "minf",      "next",      "not",   "or",        "step",   "then",  "thru",  "true",
@@ -49,7 +49,8 @@ Spelling literal(const Number& value, Texts& texts) {
   return result;
 }
 
-// A variable of its own, which no other name can be. In a function `q[1]` would be that of a user's array `q`.
+// A separate variable, whose name no other name can have. In a function, `q[1]` would be an element of a user's array
+// `q`.
 std::string element(const std::string& array, std::size_t k) {
   return array + "__" + std::to_string(k + 1);
 }
@@ -73,7 +74,7 @@ std::string wrapped(const std::string& text, const std::string& margin) {
   return wrapped_text(text, kColumns - kEnd, margin, margin);
 }
 
-// A comment that no text of the user's ends early: comments nest.
+// A comment that no user text can end early. Maxima's comments nest.
 std::string comment(const std::vector<std::string>& lines, const std::string& margin = "") {
   std::string result;
   for (std::string line : lines) {
@@ -162,8 +163,8 @@ std::string definition(const std::string& name, const Function& f) {
   return definition(name, f.program, kernel, results(f.program, kernel));
 }
 
-// `f_column`, which solves for one column, and `f_columns`, which replaces the first columns of a matrix by their
-// solutions.
+// Prints `f_column`, which solves for one column, and `f_columns`, which replaces the first columns of a matrix by
+// their solutions.
 std::string print_column_solver(const Function& solution, const std::string& prefix) {
   const std::string name = prefix + solution.kernel;
   return "\n" + comment({"One column of solutions; a matrix with solutions in the place of its first columns."}) +
@@ -173,7 +174,7 @@ std::string print_column_solver(const Function& solution, const std::string& pre
          "    rest(columns, count)))))$\n";
 }
 
-// Computes right-hand sides, and puts solutions in their place.
+// Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Library& library, const Function& f, const std::string& prefix) {
   const Function& stage = right_sides(library, f);
   const Kernel kernel = without_lines(f, dialect());
@@ -207,7 +208,7 @@ std::string print_product(const Library& library, const Function& f, const std::
   return "\n" + comment({convention_of_primitives(library)}) + definition(name, data.amounts, product.kernel, value);
 }
 
-// Those that have no default stay symbols.
+// Parameters without default remain symbols.
 std::string print_parameters(const Library& library, const std::string& prefix) {
   std::vector<std::string> values;
   for (const ParameterData& p : library.parameters)
@@ -229,7 +230,7 @@ std::vector<OutputFile> print(const Library& library) {
        "Arguments are lists, of numbers or symbols: [q1, q2]. Fractions and multiples of %pi are exact."});
   if (!library.parameters.empty()) text += print_parameters(library, prefix);
   NameScope scope(is_reserved);
-  std::set<std::string> solvers;  // that overloads have in common
+  std::set<std::string> solvers;  // solvers that overloads share
   for (const Function& f : library.functions) {
     if (f.solved && solvers.insert(f.solved->solution.name).second)
       text += print_column_solver(column_solution(*f.solved), prefix);

@@ -19,7 +19,7 @@ using symbolic::Role;
 Array argument(const cpp::Api& api, const InputArray& input, const std::string& name) {
   const auto size = static_cast<int>(input.elements.size());
   Array a{name, 1, size, 1, false, input.role == Role::parameters && api.is_parametric()};
-  // Without a robot, parameters and variables are arrays of what the function reads.
+  // Without a robot, parameters and variables are arrays of the elements that the function reads.
   if (!api.library->has_robot()) a.elements = input.elements;
   if (input.role == Role::link_wrenches) {
     a.rank = 2;
@@ -77,7 +77,7 @@ bool is_keyword(const std::string& name) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), name) != std::end(kKeywords);
 }
 
-// The documentation of one function in the stub, which ends before text that would end it.
+// The documentation of one function in the stub. Characters that would end the string are replaced.
 std::string text_in_quotes(const Function& f, const std::string& margin) {
   std::string text;
   const std::vector<std::string> lines = documentation_of(f);
@@ -107,7 +107,7 @@ std::string print_function(const Function& f, const std::string& margin) {
          type + ":\n" + text_in_quotes(f, margin + "    ") + margin + "    ...\n";
 }
 
-// The scopes as classes, one in the other.
+// The scopes as nested classes.
 std::string print_scope(const std::vector<Function>& all, const std::string& scope, const std::string& margin) {
   std::string text;
   std::vector<std::string> inner;

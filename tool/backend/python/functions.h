@@ -1,4 +1,4 @@
-// Functions as Python has them: one for all overloads, arrays with shapes, documentation.
+// Functions as Python has them: one for all overloads, with the shapes of arrays and documentation.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robcogen::backend::python {
 
-// As robcogen::python::Argument of the runtime.
+// The same data as robcogen::python::Argument of the runtime.
 struct Array {
   std::string name;
   int rank = 1;
@@ -30,7 +30,7 @@ struct Function {
 
 std::vector<Function> functions(const cpp::Api& api);
 
-// The signature as Python's `help` and `inspect` read it, what it is, the shapes.
+// The signature as Python's `help` and `inspect` read it, a description, and the shapes.
 std::vector<std::string> documentation_of(const Function& function);
 
 // The text of the stub.

@@ -40,13 +40,13 @@ std::string list(const std::vector<Array>& arrays) {
   return braced(items);
 }
 
-// Whether parameters come first, as values that the library made of them.
+// Whether the first argument is what the library computes from the parameters.
 bool takes_parameters(const cpp::Callable& c) {
   const std::vector<symbolic::InputArray>& inputs = c.function->program.inputs;
   return std::any_of(inputs.begin(), inputs.end(), [](const auto& input) { return input.role == Role::parameters; });
 }
 
-// Of the kernel over many states, which only headers with Eigen declare.
+// The declaration of the kernel over many states, which otherwise only headers with Eigen have.
 std::string print_declaration(const cpp::Callable& c) {
   std::vector<std::string> types;
   if (takes_parameters(c)) types.emplace_back("const S*");
@@ -58,7 +58,7 @@ std::string print_declaration(const cpp::Callable& c) {
   return "template <class S>\n" + cpp::declaration("void " + c.kernel, types, " noexcept;");
 }
 
-// The calls of a kernel, of one state and of many.
+// The calls of a kernel, for one state and for many.
 std::string print_calls(const cpp::Api& api, const cpp::Callable& c) {
   const symbolic::Program& program = c.function->program;
   std::vector<std::string> one, many;

@@ -5,7 +5,7 @@
 
 ;;; Commentary:
 
-;; Modes for .kindsl, .dtdsl, .motdsl and .ctdsl, and the language server for Eglot, for .urdf too.
+;; Modes for .kindsl, .dtdsl, .motdsl and .ctdsl, and the language server for Eglot, also for .urdf.
 
 ;;; Code:
 

@@ -10,7 +10,7 @@ let client;
 
 const setting = (name) => vscode.workspace.getConfiguration('robcogen').get(name);
 
-// Arguments that name the folders of imports, for previews. Relative ones are those of each folder of the workspace.
+// The arguments that name the folders of imports, for previews. Relative ones are below each folder of the workspace.
 function import_arguments() {
   const roots = (vscode.workspace.workspaceFolders || []).map((folder) => folder.uri.fsPath);
   const folders = (setting('importFolders') || []).flatMap((folder) =>

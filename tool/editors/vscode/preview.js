@@ -1,4 +1,4 @@
-// The page of `robcogen view` beside a robot document, made anew when its text changes.
+// The page of `robcogen view` next to a robot document, updated when its text changes.
 'use strict';
 
 const { execFile } = require('child_process');
@@ -8,9 +8,9 @@ const path = require('path');
 const vscode = require('vscode');
 
 const kDelay = 400; // ms without a change
-const previews = new Map(); // by the document's path
+const previews = new Map(); // by the path of the document
 
-// Why the program cannot be started, and what to do.
+// Says why the program cannot be started, and what to do.
 const not_started = (program, fault) =>
   `RobCoGen: cannot start '${program}': ${fault.message}. The setting robcogen.path names the program.`;
 
@@ -31,7 +31,7 @@ class Preview {
     this.panel.onDidDispose(() => this.dispose());
   }
 
-  // The text as it is in the editor, saved or not. Imports are found beside the document.
+  // Renders the text as it is in the editor, saved or not. Imports are found next to the document.
   render() {
     const copy = path.join(this.folder, this.name);
     const page = path.join(this.folder, 'page.html');
@@ -46,7 +46,7 @@ class Preview {
     return this.run;
   }
 
-  // With an error in the document, the last page stays.
+  // While the document has errors, the last page stays.
   show(fault, page, messages) {
     this.panel.title = fault ? `${this.name}: errors` : this.name;
     if (!fault) {
@@ -70,7 +70,7 @@ class Preview {
   }
 }
 
-// Shows the robot of the active editor; a second call brings its page to the front.
+// Shows the robot of the active editor. A second call brings its page to the front.
 function show(program, imports) {
   const editor = vscode.window.activeTextEditor;
   if (!editor) return undefined;

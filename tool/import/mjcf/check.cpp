@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// By element; MJCF's own words.
+// By element, in MJCF's own words.
 const std::map<std::string, Names>& known_attributes() {
   static const std::map<std::string, Names> known = {
       {"compiler",

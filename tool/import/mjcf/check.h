@@ -1,11 +1,11 @@
-// Misspelt attributes, which would otherwise be lost.
+// Finds misspelt attributes, which would otherwise be lost.
 #pragma once
 
 #include "import/mjcf/element.h"
 
 namespace robcogen::import::from_mjcf {
 
-// Warns of attributes of `compiler`, bodies, inertials and joints that MJCF does not have.
+// Warns about attributes of `compiler`, bodies, inertials and joints that MJCF does not have.
 void check_attributes(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

@@ -8,7 +8,7 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-// Those of `own`, then those of `inherited` that it does not have.
+// The attributes of `own`, then those of `inherited` that `own` does not have.
 std::vector<Attribute> merged(std::vector<Attribute> own, const std::vector<Attribute>& inherited) {
   const std::size_t count = own.size();
   for (const Attribute& a : inherited) {
@@ -29,7 +29,7 @@ Defaults::Defaults(const Element& root, Diagnostics& diagnostics) : diagnostics_
   }
 }
 
-// A nested class begins with the attributes that the class around it has at its end.
+// A nested class starts with all attributes of the enclosing class, including those that stand after it.
 void Defaults::read(const Element& section, std::size_t own) {
   for (const Element& element : section.children) {
     if (element.name == "default") continue;
@@ -75,7 +75,7 @@ Element Defaults::resolved(const Element& element, const Attribute* childclass) 
   const auto found = from->attributes.find(element.name);
   if (found == from->attributes.end()) return result;
   std::vector<Attribute> inherited = found->second;
-  // Of the ways to give an orientation, an element has one.
+  // An element gives its orientation in one way only.
   if (has_orientation(element)) std::erase_if(inherited, [](const Attribute& a) { return is_orientation(a); });
   result.attributes = merged(result.attributes, inherited);
   return result;

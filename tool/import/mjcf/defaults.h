@@ -1,4 +1,4 @@
-// Default classes: attributes that elements have when they do not give them.
+// Default classes: the attributes of elements that do not give them themselves.
 #pragma once
 
 #include <map>
@@ -14,11 +14,11 @@ class Defaults {
   // Reads every `default` of the root element. Reports classes without a name, and names that are given twice.
   Defaults(const Element& root, Diagnostics& diagnostics);
 
-  // Whether the class is declared. Reports it otherwise.
+  // Whether the class is declared. Reports an undeclared class.
   bool knows(const Attribute& name) const { return find_class(name) != nullptr; }
 
-  // The element with all attributes that it has: its own, then those of its attribute `class`, else of `childclass`;
-  // without either, of the top-level class. Reports a `class` that is not declared.
+  // Returns the element with all attributes that apply to it: its own, then those of its `class`, or else of
+  // `childclass`, or else of the top-level class. Reports an undeclared `class`.
   Element resolved(const Element& element, const Attribute* childclass) const;
 
  private:

@@ -11,9 +11,9 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-// Where a body is: its link, and its pose in the frame of that link.
+// The link that a body belongs to, and its pose in the frame of that link.
 struct Carried {
-  int link = -1;  // index into the links, of which [0] is the base; -1 for what is not part of the robot
+  int link = -1;  // index into the links, where [0] is the base; -1 if the body is not part of the robot
   Pose pose;
 };
 
@@ -23,12 +23,12 @@ Pose inverse_of(const Pose& pose) {
   return Pose{{}, back} * shift;
 }
 
-// The frame of the joint, z along its axis, in the frame of its body.
+// The frame of the joint, with z along its axis, in the frame of its body.
 Pose pose_of_joint(const Joint& joint) {
   return {quantities(joint.pos), rotation_to_axis(joint.axis)};
 }
 
-// Back by the reference position: where the joint is at zero.
+// Moves back by the reference position, to where the joint is at zero.
 Pose to_zero(const Joint& joint) {
   if (joint.type == model::JointType::spherical) return {};
   if (joint.type == model::JointType::revolute) return {{}, rotation_about(2, -joint.reference)};
@@ -39,7 +39,7 @@ model::Inertia inertia_of(const Part& part, const Pose& body) {
   model::Inertia result;
   result.mass = quantity(part.mass);
   result.ixx = quantity(part.xx), result.iyy = quantity(part.yy), result.izz = quantity(part.zz);
-  // The model holds products of inertia, the tensor their negatives.
+  // The model stores products of inertia; the tensor contains their negatives.
   result.ixy = quantity(-part.xy), result.ixz = quantity(-part.xz), result.iyz = quantity(-part.yz);
   result.reference = placement_of(body * part.pose);
   return result;
@@ -74,7 +74,7 @@ class Describer {
   }
 
  private:
-  // The body that floats, else the world.
+  // Returns the floating body, or the world if there is none.
   std::size_t find_base() {
     std::size_t base = 0;
     for (std::size_t b = 1; b < document_.bodies.size(); ++b) {
@@ -137,7 +137,7 @@ class Describer {
     }
   }
 
-  // The body moves from the link that carries it so far to a new one.
+  // Moves the body from the link that has carried it so far to a new link.
   void add_joint(std::size_t b, std::size_t j) {
     const Body& body = document_.bodies[b];
     const Joint& joint = body.joints[j];
@@ -187,7 +187,7 @@ class Describer {
     return std::nullopt;
   }
 
-  // y = b x + (a + y0 - b x0); without x, y = a + y0.
+  // y = b x + (a + y0 - b x0), or y = a + y0 if there is no x.
   void add_coupling(const Coupling& coupling) {
     const auto joint = find_joint(coupling.joint);
     if (!joint) return;

@@ -1,11 +1,11 @@
-// From the tree of bodies to the description of a model.
+// Converts the tree of bodies to the description of a model.
 #pragma once
 
 #include "import/mjcf/document.h"
 
 namespace robcogen::import::from_mjcf {
 
-// Identifiers in the place of names, and names for what has none.
+// Identifiers for all names, including names for unnamed elements.
 struct Identifiers {
   std::string robot;
   std::vector<std::string> bodies;
@@ -13,15 +13,15 @@ struct Identifiers {
   std::vector<std::vector<std::string>> sites;   // by body
 };
 
-// Bodies and joints have different names, and so have bodies and sites: one that has the name of a body gets the suffix
-// of its kind. Reports names that are given twice, and names that are too long; one note lists those that were changed.
+// Bodies and joints get different names, and so do bodies and sites: a joint or site with the name of a body gets the
+// suffix of its kind. Reports names that are given twice or too long. One note lists the names that were changed.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 
-// - The base is the body with the free joint; without one, the world.
+// - The base is the body with the free joint, or the world if there is none.
 // - A body without joints is part of its parent.
-// - The joints of a body form a chain of links without mass: MuJoCo applies them one after the other, each in the frame
-//   that those before it have moved.
-// Reports bodies that move, but are not part of the robot that floats.
+// - The joints of a body form a chain of massless links: MuJoCo applies them one after the other, each in the frame
+//   that the joints before it have moved.
+// Reports bodies that move but are not part of the floating robot.
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

@@ -14,7 +14,7 @@
 namespace robcogen::import::from_mjcf {
 
 struct Name {
-  std::string text;  // empty when there is none
+  std::string text;  // empty if there is none
   Place place;
 };
 
@@ -24,7 +24,8 @@ struct Site {
   Pose pose;  // in the frame of the body
 };
 
-// A part of a body with mass, about its centre of mass and in the axes of its pose.
+// A part of a body that has mass. Its inertia is about its centre of mass, which is the origin of `pose`, and in the
+// axes of `pose`.
 struct Part {
   Pose pose;  // in the frame of the body
   Number mass;
@@ -49,17 +50,17 @@ struct Body {
   int parent = -1;  // body; -1 for the world
   Pose pose;        // in the frame of the parent
   bool floats = false;
-  Place free_joint;           // when it floats
+  Place free_joint;           // if the body floats
   std::vector<Joint> joints;  // from the parent to the body
   std::vector<Part> parts;
   std::vector<Site> sites;
 };
 
-// y - y0 = a + b (x - x0), in which y is the position of the joint, x that of the one that it follows, and y0 and x0
-// are the references of both.
+// y - y0 = a + b (x - x0), where y is the position of the joint, x the position of the joint that it follows, and y0
+// and x0 are their reference positions; a is `offset` and b is `factor`.
 struct Coupling {
   Name joint;
-  Name followed;  // without a text: none, and y = y0 + a
+  Name followed;  // empty text: no such joint, and y = y0 + a
   Number offset;
   Number factor = Number::rational(1);
 };
@@ -68,17 +69,17 @@ struct Document {
   Name name;
   std::vector<Body> bodies;  // [0] is the world; parents before children, depth first
   std::vector<Coupling> couplings;
-  std::map<std::string, int> ignored;  // elements that are not read, by name
+  std::map<std::string, int> ignored;  // number of elements that are not read, by name
 };
 
 struct Options {
   bool free_equality_joints = false;
 };
 
-// Reports what is missing or malformed, and what the model does not have.
+// Reports what is missing or malformed, and what the model cannot represent.
 Document read_document(const Element& root, const Options& options, Diagnostics& diagnostics);
 
-// What readers of elements share.
+// The state that readers of elements share.
 struct Context {
   const Settings& settings;
   const Defaults& defaults;
@@ -86,14 +87,14 @@ struct Context {
   const Attribute* childclass = nullptr;
 };
 
-// A hinge, a slide or a ball; `element` has its default attributes. nullopt for other types, which are reported.
+// Reads a hinge, a slide or a ball joint; `element` includes its default attributes. nullopt for other types, which are
+// reported.
 std::optional<Joint> read_joint(const Element& element, const Context& context);
 
-// The masses of a body that moves: of its `inertial`, or of its geoms, which are in `frames` of the body. Reports
-// masses that cannot be computed.
+// Reads the masses of a body that moves, from its `inertial` or from its geoms. Reports masses that cannot be computed.
 struct PlacedElement {
-  Element element;  // with its default attributes
-  Pose frame;       // of the `frame` elements around it, in the frame of the body
+  Element element;  // including its default attributes
+  Pose frame;       // of the enclosing `frame` elements, in the frame of the body
 };
 std::vector<Part> read_parts(
     const Name& body,
@@ -101,7 +102,7 @@ std::vector<Part> read_parts(
     const std::vector<PlacedElement>& geoms,
     const Context& context);
 
-// The mass of a geom; nullopt for one without mass, and for one that is reported.
+// Reads the mass of a geom; nullopt for a geom without mass, and for a geom that is reported.
 std::optional<Part> read_geom(const Name& body, const PlacedElement& geom, const Context& context);
 
 }  // namespace robcogen::import::from_mjcf

@@ -1,4 +1,4 @@
-// MJCF as elements with places in several files, and what their attributes say.
+// MJCF as elements with places in several files, and the values of their attributes.
 #pragma once
 
 #include <array>
@@ -27,33 +27,33 @@ struct Element {
   std::vector<Element> children;  // in the order of the text
 };
 
-// The root element, in which the content of included files stands for each `include`. Their paths are relative to
-// `file`, and appended to `included`. Reports text that is not XML, files that cannot be read or that include
-// themselves, and files that are included twice, as MuJoCo does.
+// Returns the root element, with each `include` replaced by the content of its file. Paths of included files are
+// relative to `file`, and are appended to `included`. Reports text that is not XML, files that cannot be read, files
+// that include themselves and, as MuJoCo does, files that are included twice.
 std::optional<Element> read_with_includes(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
     std::vector<std::filesystem::path>& included,
     Diagnostics& diagnostics);
 
-// nullptr when there is none.
+// Returns nullptr if there is none.
 const Attribute* find(const Element& element, const std::string& attribute);
 
-// Whether it is one of the five ways to give an orientation.
+// Whether the attribute is one of the five ways to give an orientation.
 bool is_orientation(const Attribute& attribute);
 bool has_orientation(const Element& element);
 
-// Values of attributes. What is malformed is reported, and read as zeros.
+// Reads values of attributes. Malformed values are reported and read as zeros.
 class Values {
  public:
   explicit Values(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  // Between `least` and `most` numbers.
+  // Reads between `least` and `most` numbers.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t least, std::size_t most);
-  // The number, or `otherwise` without such an attribute.
+  // Reads a number; returns `otherwise` if there is no such attribute.
   Number scalar(const Element& element, const char* attribute, const Number& otherwise = Number());
   std::array<Number, 3> triple(const Element& element, const char* attribute, const std::array<Number, 3>& otherwise);
-  // One of the words, by index; `otherwise` without such an attribute.
+  // Reads one of the words and returns its index; `otherwise` if there is no such attribute.
   std::size_t word(
       const Element& element,
       const char* attribute,

@@ -11,7 +11,7 @@ namespace robcogen::import::from_mjcf {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kWater = 1000.0;  // kg/m^3: the density of a geom that gives none
+constexpr double kWater = 1000.0;  // kg/m^3: the default density of a geom
 
 const std::vector<std::string>& shapes() {
   static const std::vector<std::string> names = {"sphere", "capsule", "ellipsoid", "cylinder", "box",
@@ -21,10 +21,10 @@ const std::vector<std::string>& shapes() {
 
 struct Moments {
   double volume = 0.0;
-  double x = 0.0, y = 0.0, z = 0.0;  // of mass 1
+  double x = 0.0, y = 0.0, z = 0.0;  // moments of inertia for unit mass
 };
 
-// A solid of half axes a, b, c: `fraction` is the mean of the squared coordinate along an axis of half length 1.
+// A solid with half axes a, b, c: `fraction` is the mean squared coordinate along an axis of half length 1.
 Moments symmetric(double volume, double fraction, double a, double b, double c) {
   return {volume, fraction * (b * b + c * c), fraction * (a * a + c * c), fraction * (a * a + b * b)};
 }
@@ -34,12 +34,13 @@ Moments of_cylinder(double radius, double length) {
   return {kPi * radius * radius * length, across, across, radius * radius / 2.0};
 }
 
-// A cylinder between two half spheres; the centre of mass of each lies 3/8 of the radius beyond the cylinder's end.
+// A cylinder between two half spheres. The centre of mass of each half sphere lies 3/8 of the radius beyond the
+// cylinder's end.
 Moments of_capsule(double radius, double length) {
   const Moments cylinder = of_cylinder(radius, length);
   const double sphere_volume = 4.0 / 3.0 * kPi * radius * radius * radius;
   const double volume = cylinder.volume + sphere_volume;
-  const double share = sphere_volume / volume;  // of the mass
+  const double share = sphere_volume / volume;  // fraction of the mass in the half spheres
   const double sphere = 0.4 * radius * radius;
   const double across = sphere + length * (3.0 * radius + 2.0 * length) / 8.0;
   return {
@@ -88,7 +89,7 @@ class GeomReader {
     return std::nullopt;
   }
 
-  // The first `count` numbers of the size.
+  // Reads the first `count` numbers of the attribute `size`.
   std::array<double, 3> size(std::size_t count) {
     const Attribute* given = find(element_, "size");
     if (given == nullptr) {
@@ -106,7 +107,7 @@ class GeomReader {
     return result;
   }
 
-  // Sets the pose. With `fromto`, z leads from one point to the other, and their distance is the length.
+  // Sets the pose. With `fromto`, the z axis points from one point to the other, and their distance is the length.
   Moments read_shape(const std::string& shape, Pose& pose) {
     const Attribute* ends = shape == "sphere" ? nullptr : find(element_, "fromto");
     double length = 0.0;

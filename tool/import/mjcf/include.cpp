@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of `path: error: cannot read the file`.
+// Replaces the prefix of a message such as `path: error: cannot read the file`.
 std::string without_prefix(const std::string& fault, const fs::path& path) {
   const std::string marker = ": error: ";
   const std::size_t at = fault.find(marker);
@@ -22,7 +22,7 @@ std::string without_prefix(const std::string& fault, const fs::path& path) {
       "file '{}': {}", path.string(), at == std::string::npos ? fault : fault.substr(at + marker.size()));
 }
 
-// The name stands before `=` and the value.
+// The name precedes `=` and the value.
 Span name_span(const xml::Attribute& attribute, std::string_view text) {
   const std::size_t equals = text.rfind('=', attribute.span.begin);
   const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
@@ -41,13 +41,13 @@ class IncludeReader {
     return copy(*root, source, result) ? std::optional(std::move(result)) : std::nullopt;
   }
 
-  // `path` is open from here on.
+  // Marks `path` as open.
   void enter(const fs::path& path, const Place& place) { files_.push_back({key(path), place, true}); }
 
  private:
   struct File {
     fs::path key;
-    Place place;  // of the name in the element that includes it
+    Place place;  // of the file name in the element that includes it
     bool is_open = false;
   };
 
@@ -57,7 +57,7 @@ class IncludeReader {
     return fault ? path : canonical;
   }
 
-  // Returns whether all that the element includes was read.
+  // Copies an element. Returns whether everything that it includes could be read.
   bool copy(const xml::Element& from, const std::shared_ptr<const Source>& source, Element& to) {
     to.name = from.name;
     to.place = {source, from.span};

@@ -1,4 +1,4 @@
-// Joints of bodies.
+// Reads the joints of bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,8 +43,8 @@ class JointReader {
   }
 
  private:
-  // It turns in any way: `axis` and `ref` mean nothing. What the model refuses is told from what is absent, zero, by
-  // its place.
+  // A ball joint turns about any axis: `axis` and `ref` have no meaning. The model refuses friction and springs that
+  // have a place; zero values lose it, because they count as absent.
   void read_ball() {
     joint_.type = model::JointType::spherical;
     joint_.axis = {Number(), Number(), Number::rational(1)};
@@ -56,11 +56,12 @@ class JointReader {
       const Attribute* range = find(element_, name);
       if (range == nullptr || values_.numbers(*range, 2, 2)[1].is_zero() || !is_limited(limited, *range)) continue;
       diagnostics_.warning(
-          "ball-limits", range->place, fmt::format("the '{}' of a ball joint is left out: spherical joints do not have it", name));
+          "ball-limits", range->place,
+          fmt::format("the '{}' of a ball joint is left out: spherical joints do not have it", name));
     }
   }
 
-  // An angle of a hinge is in the unit of the compiler.
+  // Converts an angle of a hinge from the unit of the compiler.
   Number in_radians(const Number& written) const { return is_hinge_ ? context_.settings.angle(written) : written; }
 
   Number position(const char* attribute) { return in_radians(values_.scalar(element_, attribute)); }
@@ -95,7 +96,7 @@ class JointReader {
         .hint = "write stiffness=\"...\" and damping=\"...\"";
   }
 
-  // Whether the attribute `limited`, or the presence of its range, asks for these limits.
+  // Whether the attribute `limited`, or the mere presence of a range, enables these limits.
   bool is_limited(const char* limited, const Attribute& range) {
     const std::size_t choice = values_.word(element_, limited, {"false", "true", "auto"}, 2);
     if (choice != 2) return choice == 1;

@@ -13,7 +13,8 @@ namespace {
 
 using namespace from_mjcf;
 
-// Constraints between bodies change how the robot moves; the rest adds forces, or nothing.
+// Warns about ignored constraints between bodies, which change how the robot moves; other ignored elements, which add
+// forces or nothing, get a note.
 void mention_ignored(const Document& document, Diagnostics& diagnostics) {
   std::string list, constraints;
   for (const auto& [name, count] : document.ignored) {

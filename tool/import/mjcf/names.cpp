@@ -14,7 +14,7 @@ class Namer {
  public:
   Namer(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
 
-  // Names of the file come first, so that made ones give way.
+  // Names in the file are assigned first, so that generated names avoid them.
   Identifiers name() {
     Identifiers result;
     result.robot = identifier(document_.name.text.empty() ? "robot" : document_.name.text);
@@ -58,7 +58,7 @@ class Namer {
         fmt::format("the name of this {} has more than {} characters", kind, kMaxNameLength));
   }
 
-  // The identifier of the wanted name, with the suffix when that is taken, then with a number.
+  // Returns the identifier of the wanted name. If it is taken, the suffix is added, and then a number.
   std::string element(
       const char* kind,
       const Name& name,

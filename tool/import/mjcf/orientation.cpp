@@ -35,13 +35,13 @@ Number angle_of(Real y, Real x) {
   return Number(static_cast<double>(std::atan2(y, x)));
 }
 
-// R = Rx Ry Rz. Where Ry is a quarter turn, only a sum of the other angles is determined, and Rz is zero.
+// Decomposes R = Rx Ry Rz. If Ry is a quarter turn, only a sum of the other two angles is determined, and Rz is zero.
 Rotation rotation_of(const Matrix& R) {
   const Real cosine = std::hypot(R[0][0], R[0][1]);
   const Number y = angle_of(R[0][2], cosine);
   const bool is_singular = cosine <= kRounding;
   const Number z = is_singular ? Number() : angle_of(-R[0][1], R[0][0]);
-  // Of R Rz': exact also where the cosine is small.
+  // Taken from R Rz', which is accurate even if the cosine is small.
   const Real c = std::cos(static_cast<Real>(z.value())), s = std::sin(static_cast<Real>(z.value()));
   const Number x = angle_of(R[2][0] * s + R[2][1] * c, R[1][0] * s + R[1][1] * c);
   return rotation_about(0, x) * rotation_about(1, y) * rotation_about(2, z);
@@ -78,7 +78,7 @@ class OrientationReader {
     return {};
   }
 
-  // Small letters are axes of the turning frame, capitals are fixed ones.
+  // Lower-case letters are axes of the rotating frame, capitals are fixed axes.
   Rotation of_euler(const Attribute& attribute) {
     const std::vector<Number> angles = values_.numbers(attribute, 3, 3);
     Rotation result;
@@ -107,7 +107,7 @@ class OrientationReader {
     return rotation_of({{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}});
   }
 
-  // The smallest rotation that turns z to this direction; about x when it is the opposite one.
+  // Returns the smallest rotation that turns z to this direction; a rotation about x if the direction is opposite to z.
   Rotation of_z_axis(const Attribute& attribute) {
     const std::vector<Number> n = values_.numbers(attribute, 3, 3);
     const Vector axis = {n[0].value(), n[1].value(), n[2].value()};

@@ -1,4 +1,4 @@
-// Poses of elements: `pos`, and the five ways to give an orientation.
+// Reads poses of elements: `pos`, and the five ways to give an orientation.
 #pragma once
 
 #include "import/mjcf/settings.h"
@@ -6,8 +6,8 @@
 
 namespace robcogen::import::from_mjcf {
 
-// Reports more than one orientation, and those without a direction. Angles within rounding of a multiple of PI/4 are
-// exact.
+// Reports more than one orientation, and orientations without a direction. Angles within rounding of a multiple of PI/4
+// are exact.
 Rotation orientation_of(const Element& element, const Settings& settings, Diagnostics& diagnostics);
 Pose pose_of(const Element& element, const Settings& settings, Diagnostics& diagnostics);
 model::Quantity quantity(const Number& number);

@@ -1,4 +1,4 @@
-// Masses of bodies.
+// Reads the masses of bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ class PartReader {
     return part;
   }
 
-  // MuJoCo raises masses and moments to their bounds.
+  // MuJoCo raises masses and moments to these bounds.
   void check_bounds(const std::vector<Part>& parts) {
     const double mass = context_.settings.least_mass.value(), moment = context_.settings.least_moment.value();
     if (mass <= 0.0 && moment <= 0.0) return;

@@ -1,4 +1,4 @@
-// The sections of a model, read into the document, where what is not read is counted.
+// Reads the sections of a model into the document, and counts the elements that are not read.
 #pragma once
 
 #include "import/mjcf/document.h"
@@ -13,10 +13,10 @@ void read_bodies(
     Document& document,
     Diagnostics& diagnostics);
 
-// Appends couplings of joints. Reports those that are not linear.
+// Appends couplings between joints. Reports couplings that are not linear.
 void read_equalities(const Element& section, const Options& options, Document& document, Diagnostics& diagnostics);
 
-// Warns of an element that is none of the `known` ones.
+// Warns about an element that is not one of the `known` ones.
 void report_unknown(const Element& element, const std::vector<std::string>& known, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

@@ -1,4 +1,4 @@
-// The tree of bodies.
+// Reads the tree of bodies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool has_joint(const Element& body) {
   });
 }
 
-// A body while its elements are read.
+// A body whose elements are being read.
 struct OpenBody {
   std::size_t index = 0;
   bool moves = false;
@@ -44,7 +44,7 @@ class BodyReader {
  private:
   Context context(const Attribute* childclass) { return {settings_, defaults_, diagnostics_, childclass}; }
 
-  // `frame`: of the frame elements around these elements, in the frame of the body.
+  // `frame` is the pose of the enclosing `frame` elements, in the frame of the body.
   void read_content(const Element& parent, OpenBody& body, const Pose& frame, const Attribute* childclass) {
     for (const Element& e : parent.children) {
       if (e.name == "body") {
@@ -72,7 +72,7 @@ class BodyReader {
     return own != nullptr && defaults_.knows(*own) ? own : outer;
   }
 
-  // With `fromto`, the middle of the segment, and z along it.
+  // With `fromto`, the origin is the middle of the segment, and z is along it.
   Pose site_pose(const Element& site) {
     const Attribute* ends = find(site, "fromto");
     if (ends == nullptr) return pose_of(site, settings_, diagnostics_);
@@ -147,7 +147,7 @@ class BodyReader {
     }
   }
 
-  // MuJoCo takes the axes of a ball joint for those of its body.
+  // In MuJoCo, the axes of a ball joint are those of its body, so a joint that turns cannot follow it in the same body.
   void check_turns(const Body& body, const Joint& next) {
     const auto is_ball = [](const Joint& joint) { return joint.type == model::JointType::spherical; };
     if (next.type == model::JointType::prismatic || std::none_of(body.joints.begin(), body.joints.end(), is_ball))

@@ -1,4 +1,4 @@
-// Constraints between joints.
+// Reads constraints between joints.
 #include <fmt/format.h>
 
 #include <utility>
@@ -9,7 +9,7 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-// Linear ones, between two joints or of one.
+// Reads a linear constraint between two joints or on one joint.
 void read_coupling(const Element& e, const Attribute& joint, Document& document, Diagnostics& diagnostics) {
   Coupling coupling{{joint.value, joint.place}, {"", joint.place}, Number(), Number::rational(1)};
   if (const Attribute* followed = find(e, "joint2")) coupling.followed = {followed->value, followed->place};

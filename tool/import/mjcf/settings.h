@@ -1,4 +1,4 @@
-// What the elements `compiler` and `option` say of the whole model.
+// The settings that the elements `compiler` and `option` give for the whole model.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@ enum class InertiaFromGeoms { never, always, where_absent };
 
 struct Settings {
   bool degrees = true;
-  std::string euler_sequence = "xyz";  // axes of the turns; capitals are fixed axes
+  std::string euler_sequence = "xyz";  // axes of the rotations; capitals are fixed axes
   InertiaFromGeoms inertia_from_geoms = InertiaFromGeoms::where_absent;
-  bool limits_follow_ranges = true;  // a joint with a range is limited when it does not say otherwise
+  bool limits_follow_ranges = true;  // a joint with a range is limited unless it says otherwise
   bool balances_inertias = false;
-  Number least_mass, least_moment;  // MuJoCo raises smaller ones
-  Place group_range;                // of geoms that have mass; without a source: all do
+  Number least_mass, least_moment;  // MuJoCo raises smaller values
+  Place group_range;                // of geoms that have mass; without a source: all geoms have mass
 
-  // In radians.
+  // Converts an angle in the unit of the document to radians.
   Number angle(const Number& written) const { return degrees ? written * Number::pi_multiple(1, 180) : written; }
 };
 
-// Later elements change what earlier ones say. Reports what is malformed, what changes the model in a manner that is
-// not supported (global coordinates, a total mass), and with notes or warnings: other gravity than (0, 0, -9.81),
-// forces of a medium, and flags that disable forces.
+// Later elements override earlier ones. Reports malformed values and unsupported changes of the model (global
+// coordinates, a total mass). Notes or warns about gravity other than (0, 0, -9.81), forces of a medium, and flags that
+// disable forces.
 Settings read_settings(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

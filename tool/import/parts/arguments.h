@@ -1,4 +1,4 @@
-// What an instance of a part gives to the parameters of the part.
+// The arguments that an instance of a part gives to the parameters of the part.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace robcogen::import::parts {
 
-// The meanings of names in the part, whose text begins at `offset` of `source`. Reports arguments that the part has no
-// parameter for, that are given twice, and that are missing.
+// Returns the meanings of the names in the part, whose text begins at `offset` of `source`. Reports arguments that
+// match no parameter, arguments that are given twice, and missing arguments.
 Meanings meanings_of(
     const Entry& entry,
     const kinematics::Instance& instance,

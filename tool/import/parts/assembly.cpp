@@ -47,7 +47,8 @@ void name_after(Link& link, const std::string& instance) {
   }
 }
 
-// Of one body about the origin of a frame, in its axes: the tensor, with negative products off the diagonal.
+// The mass properties of a body about the origin and in the axes of a frame. `moments` is the tensor, whose
+// off-diagonal elements are the negative products.
 struct MassProperties {
   ExpressionPtr mass;
   Vector com;
@@ -77,7 +78,7 @@ Matrix entrywise(const Matrix& a, const Matrix& b, Operation operation) {
   return m;
 }
 
-// The same in the frame that the placement is given in.
+// Returns the mass properties in the frame in which the placement is given.
 MassProperties moved(const MassProperties& own, const Placement& placement) {
   if (is_identity(placement)) return own;
   const Matrix rotation = rotation_matrix(placement.rotation);
@@ -95,7 +96,7 @@ MassProperties in_link_frame(const Link& link) {
   if (!i.reference) return own;
   for (const kinematics::Frame& frame : link.frames)
     if (frame.name.text == i.reference->text) return moved(own, frame.placement);
-  return own;  // the frame is unknown, which is reported when the document is read
+  return own;  // the unknown frame is reported when the document is read
 }
 
 Inertia inertia_of(const MassProperties& p, Span span) {
@@ -218,7 +219,6 @@ void append(Body& body, Body added) {
   std::move(added.independents.begin(), added.independents.end(), std::back_inserter(body.independents));
 }
 
-// Links without an id get the next ones, parents first.
 void number_links(Assembly& robot) {
   std::map<std::string, Link*> links;
   int last = 0;

@@ -18,7 +18,7 @@ using kinematics::Instance;
 using kinematics::Joint;
 using kinematics::Link;
 
-// A link on a joint that is held still.
+// Keeps the base as a link on a joint that does not move.
 void keep_base(Assembly& part, const Placement& at, std::vector<Child>& children) {
   Link base = std::move(*part.base);
   base.is_base = base.floating = false;
@@ -62,13 +62,13 @@ class Attachment {
   const std::shared_ptr<const Source>& source_;
   Diagnostics& diagnostics_;
 
-  // Joints on the base of a part are on the link. A rotor's axis is in the axes of the link too.
+  // Places a joint of the base on the link instead. The axis of its rotor is converted to the axes of the link too.
   void carry(Body& body, const Child& root) {
     for (Joint& joint : body.joints) {
       if (joint.name.text != root.joint.text) continue;
       place_at(joint.placement, fmt::format("joint '{}'", joint.name.text));
       const auto words = kinematics::coordinate_words(joint.type);
-      std::optional<kinematics::Rotor>* rotor = &joint.rotor;  // that the link carries
+      std::optional<kinematics::Rotor>* rotor = &joint.rotor;  // the rotor that the link carries
       for (kinematics::Coordinate& coordinate : joint.coordinates)
         if (coordinate.word.text == words.front()) rotor = &coordinate.rotor;
       if (*rotor && (*rotor)->axis && !(*rotor)->carrier)
@@ -90,7 +90,7 @@ class Attachment {
         .hint = "give one of the two no rotation, or constants";
   }
 
-  // Frames of the base, and its own frame as one of them, are frames of the link.
+  // Makes the base part of the link. Its frames, including the frame of the base itself, become frames of the link.
   void lump(Link& base, Link& link, Body& body) {
     link.inertia = lumped(link, base, at_);
     link.frames.push_back({{"fr_" + base.name.text, base.name.span}, at_});

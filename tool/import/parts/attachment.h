@@ -1,4 +1,4 @@
-// A part joins the link that it is attached to.
+// Attaches a part to a link.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace robcogen::import::parts {
 
-// The elements of the part, which has its final names, at its place on the link: its roots become `children` of the
-// link, and the base of a robot becomes one of them or, unless the instance keeps it, part of the link. Reports `keep`
-// for a part without a base, and two rotations that parameters keep from being written as one.
+// Returns the elements of the part, which has its final names, placed on the link. The roots of the part become
+// `children` of the link. The base of a robot becomes one of them if the instance keeps it, and otherwise part of the
+// link. Reports `keep` for a part without a base, and two rotations that cannot be combined because of parameters.
 kinematics::Body join_to_link(
     Assembly part,
     const kinematics::Instance& instance,

@@ -87,7 +87,7 @@ class CouplingUnroller {
     }
   }
 
-  // As they are called in its part.
+  // The joints of an instance, by their names in the part.
   std::vector<std::string> joints_of(const std::string& instance) const {
     std::vector<std::string> names;
     const std::string prefix = instance + "_";
@@ -96,7 +96,7 @@ class CouplingUnroller {
     return names;
   }
 
-  // Reports what is none, once.
+  // Whether this is an instance. Reports each name that is not one, once.
   bool is_instance(const Name& instance) {
     if (is_listed(instance.text) || !joints_of(instance.text).empty()) return true;
     if (reported_.insert({instance.text, ""}).second)
@@ -109,7 +109,7 @@ class CouplingUnroller {
     return false;
   }
 
-  // The name of a joint of an instance. Of one that does not exist, after reporting that, any name.
+  // Returns the name of a joint of an instance. A joint that does not exist is reported and gets some name.
   std::string joint(const Name& instance, const std::string& own, const Span& span) {
     const std::string name = element_name(instance.text, own);
     if (!is_instance(instance) || joints_.contains(name) || !reported_.insert({instance.text, own}).second) return name;
@@ -134,13 +134,13 @@ class CouplingUnroller {
     return coupling;
   }
 
-  // The instance that a name before a point means, if it means one.
+  // Returns the instance to which a name before a point refers, if it refers to one.
   std::optional<Name> meant(const std::string& name, const Span& span, const Loop* loop, const Name* instance) const {
     if (loop != nullptr && name == loop->variable.text) return *instance;
     return is_listed(name) ? std::optional(Name{name, span}) : std::nullopt;
   }
 
-  // `leg.knee` reads as a parameter of a group.
+  // The parser reads `leg.knee` as a parameter of a group.
   ExpressionPtr instantiated(const ExpressionPtr& e, const Loop* loop, const Name* instance) {
     if (e->kind == Expression::Kind::name && !e->group.empty()) {
       const std::optional<Name> named = meant(e->group, e->span, loop, instance);

@@ -1,4 +1,4 @@
-// Couplings that name joints of instances, `leg.knee`, some of them in loops over instances.
+// Couplings that refer to joints of instances, such as `leg.knee`, possibly in loops over instances.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace robcogen::import::parts {
 
-// Whether a coupling stands in a loop, or is of a joint of an instance.
+// Whether any coupling is in a loop, or couples a joint of an instance.
 bool names_instances(const kinematics::Body& body);
 
-// Puts the names of joints in place of `instance.joint` in the first `own` couplings, and the body of each loop once
-// for each of its instances. An instance is one of those listed, or a prefix of names that serves as one. Reports
-// unknown instances and joints, instances that a loop lists twice, and variables of loops with the name of an element.
+// Replaces `instance.joint` by the name of the joint in the first `own` couplings, and repeats the body of each loop
+// for each of its instances. An instance is one of those listed, or a prefix of joint names, which serves as an
+// instance. Reports unknown instances and joints, instances that a loop lists twice, and loop variables that have the
+// name of an element.
 void unroll_couplings(
     Assembly& assembly,
     std::size_t own,

@@ -33,7 +33,7 @@ class Expander {
         scopes_(document, resolve, diagnostics),
         source_(std::make_shared<Source>(document->source)) {}
 
-  // Not where an import or a part in reach is wrong: more errors would follow from it.
+  // Stops early if an import or a part in scope is wrong, because more errors would follow from it.
   std::optional<Document> expand() {
     if (diagnostics_.error_count() > errors_before_) return std::nullopt;
     Assembly robot = assemble({document_, nullptr, document_->robot}, {}, 0);
@@ -58,11 +58,11 @@ class Expander {
   Scopes scopes_;
   std::shared_ptr<Source> source_;
   std::size_t instances_ = 0;
-  std::vector<Entry> open_;  // parts being put in, each attached in the one before
+  std::vector<Entry> open_;  // parts being expanded, each attached in the one before
 
   Place place(const Span& span) const { return {source_, span}; }
 
-  // With all that is attached in it; its text begins at this offset.
+  // Assembles a part with everything that is attached within it. Its text begins at this offset.
   Assembly assemble(const Entry& entry, const Meanings& meanings, std::size_t offset) {
     open_.push_back(entry);
     Assembly assembly;
@@ -78,7 +78,7 @@ class Expander {
       assembly.body.links.erase(assembly.body.links.begin());
       assembly.roots = std::exchange(assembly.base->children, {});
     }
-    // Instances stand after all elements of the part itself.
+    // Elements of instances follow all elements of the part itself.
     Assembly attached;
     std::vector<std::string> instances;
     for (const auto& [link, children] : in_order_of_text(assembly))
@@ -95,7 +95,7 @@ class Expander {
     return assembly;
   }
 
-  // The links, and where their children are listed.
+  // The links, each with the list of its children.
   static std::vector<std::pair<Link*, std::vector<Child>*>> in_order_of_text(Assembly& assembly) {
     std::vector<std::pair<Link*, std::vector<Child>*>> links;
     if (assembly.base) links.emplace_back(&*assembly.base, &assembly.roots);

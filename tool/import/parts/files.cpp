@@ -1,4 +1,4 @@
-// Documents that other documents import, from files.
+// Reads imported documents from files.
 #include <fmt/format.h>
 
 #include <map>
@@ -88,7 +88,7 @@ class Files {
     return std::make_shared<const kinematics::Document>(kinematics::parse(source, diagnostics_));
   }
 
-  // Names keep their places in the file.
+  // Converts a robot to a document, in which names keep their places in the file.
   DocumentPtr written(const model::KinematicTree& tree, const std::shared_ptr<const Source>& source, const Place& place)
       const {
     if (!options_.write) {

@@ -50,8 +50,7 @@ import::Rotation rotation(const std::array<Number, 3>& angles){
     return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
 }  // namespace
 
-// The turns of both rotations, one after the other, as angles about x, y, z, where they follow one another in this
-// order.
+// Returns the combined angles about x, y and z of both rotations, if their turns follow one another in this order.
 std::optional<Vector> joined_turns(const Vector& a, const Vector& b) {
   Vector joined = {zero(a[0]->span), zero(a[0]->span), zero(a[0]->span)};
   std::size_t last = 0;
@@ -66,7 +65,7 @@ std::optional<Vector> joined_turns(const Vector& a, const Vector& b) {
   return joined;
 }
 
-// Into (-PI, PI].
+// Wraps an angle to (-PI, PI].
 Number less_than_turn(const Number& angle) {
   const Number turn = Number::pi_multiple(2);
   const double turns = std::ceil((angle.value() - std::numbers::pi) / turn.value() - 1e-9);
@@ -79,7 +78,7 @@ double size(const std::array<Number, 3>& angles) {
   return all;
 }
 
-// Of the two sets of angles of one rotation the smaller one.
+// Returns the smaller of the two sets of angles that give the same rotation.
 std::array<Number, 3> least_angles(std::array<Number, 3> angles) {
   const Number half = Number::pi_multiple(1);
   std::array<Number, 3> other = {angles[0] + half, half - angles[1], angles[2] + half};
@@ -154,7 +153,7 @@ std::optional<Placement> composed(const Placement& a_b, const Placement& b_c) {
 Placement mirrored(const Placement& placement, const Signs& parent, const Signs& child) {
   Placement result = {with_signs(parent, placement.translation), placement.rotation, placement.span};
   const int determinant = parent[0] * parent[1] * parent[2];
-  // P Rk(angle) P turns about the reflected axis, in the other sense.
+  // P Rk(angle) P is a rotation about the reflected axis, in the opposite sense.
   Vector& angles = result.rotation;
   for (const std::size_t i : kAxes)
     if (determinant * parent[i] < 0) angles[i] = negated(angles[i]);
@@ -173,7 +172,7 @@ Signs nearest_image(const Placement& placement, const Signs& parent) {
   const auto reversed_axis = std::find(parent.begin(), parent.end(), -1) - parent.begin();
   const bool is_one_axis = std::count(parent.begin(), parent.end(), -1) == 1;
   if (!is_one_axis || !constants(placement.rotation)) return parent;
-  // The row of the reversed axis: how much each axis of the frame lies along it.
+  // The row of the reversed axis: the component of each axis of the frame along it.
   const Vector row = rotation_matrix(placement.rotation)[static_cast<std::size_t>(reversed_axis)];
   constexpr double kClearly = 1e-9;
   auto best = static_cast<std::size_t>(reversed_axis);

@@ -1,4 +1,4 @@
-// Placements as expressions: one after the other, and their mirror images. A parameter stays one.
+// Placements as expressions: their composition, and their mirror images. Parameters stay symbolic.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@ namespace robcogen::import::parts {
 using language::kinematics::Placement;
 using language::kinematics::Vector;
 
-// A diagonal matrix of signs, by its diagonal.
+// A diagonal matrix of signs, given by its diagonal.
 using Signs = std::array<int, 3>;
 inline constexpr Signs kNoSigns = {1, 1, 1};
 
-// Reverses one axis: a mirror image.
+// A reflection, which reverses one axis.
 constexpr Signs reversed(int axis) {
   Signs signs = kNoSigns;
   signs[static_cast<std::size_t>(axis)] = -1;
@@ -35,15 +35,16 @@ Vector product(const Matrix& m, const Vector& v);
 Vector sum(const Vector& a, const Vector& b);
 Vector with_signs(const Signs& signs, const Vector& v);
 
-// The pose of C in A from those of B in A and of C in B. nullopt where the product of both rotations has no angles that
-// are expressions: a parameter among them, and axes that do not follow one another.
+// Returns the pose of C in A, given the poses of B in A and of C in B. nullopt if the product of the two rotations has
+// no angles that are expressions: it depends on a parameter, and the axes of the rotations are not in sequence.
 std::optional<Placement> composed(const Placement& a_b, const Placement& b_c);
 
-// The mirror image P X C of the pose X: of the parent's axes by P, of its own by C, both reflections, or both none.
+// Returns the mirror image P X C of the pose X: P acts on the axes of the parent, C on the axes of the frame itself.
+// Either both are reflections, or neither is.
 Placement mirrored(const Placement& placement, const Signs& parent, const Signs& child);
 
-// The axis to reverse in a frame so that its mirror image is turned least, when `parent` is reversed in the axes of its
-// link.
+// Returns the axis to reverse in a frame so that its mirror image is rotated least, if `parent` is reversed in the axes
+// of its link.
 Signs nearest_image(const Placement& placement, const Signs& parent);
 
 }  // namespace robcogen::import::parts

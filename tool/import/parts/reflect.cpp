@@ -17,9 +17,9 @@ using kinematics::Name;
 
 constexpr Signs kAllReversed = {-1, -1, -1};
 
-// The axes of the image of a joint's frame. A joint turns about a reflected axis in the reflected sense, that of equal
-// positions, where its own axis is reversed; it slides along it where it is not. Of three axes about which a joint
-// turns all can be reversed, but not none: the frame is right-handed.
+// The axes to reverse in the frame of a joint's image. Equal positions give mirrored postures if the joint axis is
+// reversed for a joint that turns about it, and not reversed for a joint that slides along it. If a joint turns about
+// all three axes, all of them can be reversed, but not none, because the frame is right-handed.
 Signs image_of(Joint::Type type, bool same_sense) {
   switch (type) {
     case Joint::Type::revolute:
@@ -36,13 +36,13 @@ Signs image_of(Joint::Type type, bool same_sense) {
   return reversed(1);
 }
 
-// A movement of one coordinate about or along an axis of the joint's frame.
+// The movement of one coordinate, about or along an axis of the joint frame.
 struct Movement {
-  std::string joint;  // its name as a joint of its own
+  std::string joint;  // name of the coordinate, or of a joint with one coordinate
   bool slides = false;
   std::size_t axis = 2;
 
-  // -1 where mirrored postures have opposite positions.
+  // -1 if mirrored postures have opposite positions.
   int sense(const Signs& frame) const { return slides ? frame[axis] : -frame[axis]; }
 };
 
@@ -58,7 +58,7 @@ std::vector<Movement> movements_of(const Joint& joint) {
   return movements;
 }
 
-// The axes of the frame whose z is this one, of the massless link between two coordinates (model/compound.h).
+// The signs in the frame of the massless link between two coordinates, whose z axis is this axis (model/compound.h).
 Signs with_z_along(std::size_t axis, Signs signs) {
   std::swap(signs[axis], signs[2]);
   return signs;
@@ -98,7 +98,7 @@ class Reflection {
     Signs parent;
   };
 
-  // A rotor, and the joint that turns it.
+  // A rotor, with properties of the joint that turns it.
   struct TurningRotor {
     kinematics::Rotor* rotor;
     bool slides;
@@ -112,12 +112,12 @@ class Reflection {
   bool all_same_sense_ = false;
   std::map<std::string, Link*> links_;
   std::map<std::string, Joint*> joints_;
-  std::map<std::string, Signs> axes_;  // of links that were reflected
-  std::map<std::string, int> senses_;  // of joints that were reflected
+  std::map<std::string, Signs> axes_;  // of reflected links
+  std::map<std::string, int> senses_;  // of reflected joints
   std::vector<Pending> pending_;
-  std::vector<TurningRotor> rotors_;  // to be reflected when the axes of all carriers are known
+  std::vector<TurningRotor> rotors_;  // reflected once the axes of all carriers are known
 
-  // Names that lead nowhere, or in a circle, are reported when the document is read as a whole.
+  // Unknown names and cycles are reported when the whole document is read.
   void visit(const kinematics::Child& child, const Signs& parent) {
     const auto joint = joints_.find(child.joint.text);
     const auto link = links_.find(child.link.text);
@@ -149,7 +149,7 @@ class Reflection {
     }
   }
 
-  // Of a joint, or of one of its coordinates.
+  // Reflects the drive of a joint, or of one of its coordinates.
   template <class Owner>
   void reflect_drive(Owner& owner, bool slides, const Signs& carrier, int sense) {
     if (owner.rotor) rotors_.push_back({&*owner.rotor, slides, carrier, sense});
@@ -163,8 +163,8 @@ class Reflection {
     upper = negated(upper);
   }
 
-  // An axis of rotation is reflected with the opposite sign. Without an axis it is that of the joint, which has this
-  // sign where the joint turns.
+  // An axis of rotation is an axial vector, so it is reflected with the opposite sign. A rotor without an axis of its
+  // own has the joint axis, which already has this sign if the joint turns.
   void reflect(const TurningRotor& turning) const {
     kinematics::Rotor& rotor = *turning.rotor;
     if (!rotor.axis) {
@@ -197,7 +197,7 @@ class Reflection {
     if (signs[1] * signs[2] < 0) i.iyz = negated(i.iyz);
   }
 
-  // In terms of the positions of the image.
+  // Expresses the coupling in terms of the positions of the image.
   void reflect(kinematics::Coupling& coupling) const {
     coupling.value = with_senses(coupling.value);
     const auto sense = senses_.find(coupling.joint.text);

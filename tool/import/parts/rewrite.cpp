@@ -102,7 +102,7 @@ class Rewriter {
     if (instance.keep) shift(*instance.keep);
   }
 
-  // What did not change but for its place is not folded either.
+  // Expressions in which nothing but the place changed are not folded.
   ExpressionPtr rewritten(const ExpressionPtr& e) const {
     const bool has_name = e->kind == Kind::name || e->kind == Kind::pi;
     if (has_name && e->group.empty()) {

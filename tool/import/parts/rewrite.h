@@ -1,4 +1,5 @@
-// Copies of the elements of a part for one instance: arguments in place of parameters, and places of their own.
+// Copies the elements of a part for one instance: arguments replace parameters, and the copies have places of their
+// own.
 #pragma once
 
 #include <map>
@@ -10,15 +11,15 @@
 
 namespace robcogen::import::parts {
 
-// What a name in the expressions of a part means.
+// The meanings of names in the expressions of a part.
 struct Meanings {
   std::map<std::string, language::ExpressionPtr> values = {};  // of parameters of the part
-  std::set<std::string> joints = {};                           // which couplings name
-  // Of a part, which declares its parameters, in messages. In a robot other names are parameters of the robot.
+  std::set<std::string> joints = {};                           // which couplings may name
+  // The name of a part, for messages. Empty for a robot, in which other names are parameters of the robot.
   std::string part = {};
 };
 
-// The body, its offsets moved by `shift` into those of `source`. Reports names without a meaning.
+// Returns the body with its offsets moved by `shift` into those of `source`. Reports names without a meaning.
 kinematics::Body rewritten(
     kinematics::Body body,
     std::size_t shift,
@@ -26,7 +27,7 @@ kinematics::Body rewritten(
     const std::shared_ptr<const Source>& source,
     Diagnostics& diagnostics);
 
-// The names in the expressions of a robot that may be parameters.
+// Returns the names in the expressions of a robot that may be parameters.
 std::set<std::string> parameters_of(const kinematics::Body& body);
 
 }  // namespace robcogen::import::parts

@@ -37,7 +37,8 @@ Number whole(std::int64_t value) {
   return Number::rational(value);
 }
 
-// Sums and products bind from the left, and a fold of theirs is one only where both operands are constants.
+// Folds an operation on constants. Sums and products associate to the left; they are folded only if both operands are
+// constants.
 std::optional<Number> folded(const Expression& e, const Number& a, const Number& b) {
   switch (e.kind) {
     case Kind::negate:

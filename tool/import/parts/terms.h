@@ -1,4 +1,5 @@
-// Arithmetic on expressions of documents. Constants are folded, exactly where they are exact; zeros and ones vanish.
+// Arithmetic on expressions of documents. Constants are folded, exactly if they are exact; operations with zero and one
+// are simplified.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,11 @@ namespace robcogen::import::parts {
 using language::Expression;
 using language::ExpressionPtr;
 
-// The value of an expression without parameters; nullopt where there is none.
+// Returns the value of an expression without parameters; nullopt if it has none.
 std::optional<Number> constant(const ExpressionPtr& e);
 bool is_zero(const ExpressionPtr& e);
 
-// As a document spells it: `0.35`, `PI/2.0`.
+// Returns the expression of a number as a document spells it: `0.35`, `PI/2.0`.
 ExpressionPtr term(const Number& number, Span span);
 
 ExpressionPtr negated(const ExpressionPtr& a);
@@ -25,7 +26,7 @@ ExpressionPtr quotient(const ExpressionPtr& a, const ExpressionPtr& b);
 ExpressionPtr sine(const ExpressionPtr& a);
 ExpressionPtr cosine(const ExpressionPtr& a);
 
-// The same operation as `e`, on other operands.
+// Returns the same operation as `e` on other operands.
 ExpressionPtr with_operands(const Expression& e, const ExpressionPtr& left, const ExpressionPtr& right);
 
 }  // namespace robcogen::import::parts

@@ -1,4 +1,4 @@
-// Couplings of URDF+: the sums over joints that they say are zero are solved for the joints that follow.
+// Couplings of URDF+. Each states that a sum over joints is zero; these sums are solved for the joints that follow.
 #include <fmt/format.h>
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace robcogen::import::from_urdf {
 namespace {
 
-// nullopt after reporting an error.
+// Returns nullopt after reporting an error.
 std::optional<LinearRelation> relation(
     const Coupling& coupling,
     const Document& document,

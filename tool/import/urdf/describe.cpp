@@ -11,12 +11,12 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// The model's frame of a moving link is that of its joint, whose z is along the axis.
+// The model frame of a moving link is the frame of its joint, whose z axis is along the joint axis.
 Rotation joint_axes(const Joint& joint) {
   return rotation_to_axis(joint.axis);
 }
 
-// Where it moves about or along z.
+// The pose of the joint frame, about or along whose z axis the joint moves.
 model::Placement placement(const Joint& joint, const Carried& parent) {
   return placement_of(parent.pose * pose_of(joint.origin) * Pose{{}, joint_axes(joint)});
 }
@@ -80,7 +80,7 @@ std::vector<Carried> carry(const Document& document, const Topology& topology) {
       carried[at(link)] = {link, {{}, inverse(joint_axes(joint))}};
     }
   }
-  // A root that only carries a floating joint is not part of the robot.
+  // A root that carries only a floating joint is not part of the robot.
   for (const Joint& joint : document.joints)
     if (joint.type == JointType::floating) carried[at(topology.root)].body = -1;
   return carried;

@@ -1,4 +1,4 @@
-// The mechanics in a URDF as written: elements that refer to one another by name, and exact numbers.
+// The mechanical content of a URDF as written: elements that refer to one another by name, and exact numbers.
 #pragma once
 
 #include <array>
@@ -22,31 +22,31 @@ struct Name {
   Place place;
 };
 
-// Pose of a frame in the frame that it is given in: x, y, z in metres, then R = Rz(yaw) Ry(pitch) Rx(roll).
+// The pose of a frame in its reference frame: x, y, z in metres, then R = Rz(yaw) Ry(pitch) Rx(roll).
 struct Origin {
   std::array<Number, 3> xyz;
   std::array<Number, 3> rpy;  // roll, pitch, yaw
   std::array<Place, 3> rpy_places;
 };
 
-// About the centre of mass, the origin, and in the axes of the origin. Elements of the tensor: ixy = - integral of x y
-// dm.
+// Mass properties about the centre of mass, which is at the origin, and in the axes of the origin. The values are
+// elements of the tensor: ixy = - integral of x y dm.
 struct Inertial {
   Origin origin;
   Number mass;
   Number ixx, ixy, ixz, iyy, iyz, izz;
   Place mass_place;     // of the number
-  Place inertia_place;  // of the element `inertia`, or of `inertial` when it is missing
+  Place inertia_place;  // of the element `inertia`, or of `inertial` if that is missing
 };
 
 struct Link {
   Name name;
-  std::optional<Inertial> inertial;  // absent also when all of it is zero
+  std::optional<Inertial> inertial;  // also absent if all of its values are zero
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
 
-// nullopt for an attribute that is missing.
+// nullopt for a missing attribute.
 struct Limit {
   std::optional<Number> lower, upper, effort, velocity;
 };
@@ -69,25 +69,26 @@ struct Joint {
   Name name;
   JointType type = JointType::fixed;
   Place type_place;
-  Name parent;  // links
+  Name parent;  // link
   Name child;
   Origin origin;
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
-  Number armature;  // of the rotors that its transmissions turn
+  Number armature;  // from the rotors that its transmissions turn
   std::optional<Mimic> mimic;
-  std::optional<bool> is_independent;  // as its attribute says
+  std::optional<bool> is_independent;  // from the attribute
   Place independent_place;
 };
 
-// A frame of one end of a loop.
+// The frame at one end of a loop.
 struct LoopEnd {
   Name link;
   Origin origin;
 };
 
-// A joint that closes a loop (URDF+: Chignoli et al., arXiv 2411.19753). Its frames meet, with the axis in both.
+// A joint that closes a loop (URDF+: Chignoli et al., arXiv 2411.19753). Its two frames meet, and both contain the
+// axis.
 struct Loop {
   Name name;
   JointType type = JointType::revolute;
@@ -96,15 +97,15 @@ struct Loop {
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
 };
 
-// The sum of the positions of the joints that lead to the successor is `ratio` times that of those to the predecessor,
-// both from the last link that both are carried by.
+// The sum of the positions of the joints that lead to the successor is `ratio` times the sum for the predecessor. Both
+// chains start at the last link that carries both.
 struct Coupling {
   Name name;
   std::array<Name, 2> links;  // predecessor, successor
   Number ratio = Number::rational(1);
 };
 
-// With one coordinate.
+// Whether the joint has one coordinate.
 inline bool is_movable(const Joint& joint) {
   return joint.type == JointType::revolute || joint.type == JointType::continuous || joint.type == JointType::prismatic;
 }
@@ -116,36 +117,36 @@ inline bool has_axis(const Joint& joint) {
 struct Document {
   std::shared_ptr<const Source> source;
   Name name;
-  std::string version;  // empty when there is none
+  std::string version;  // empty if there is none
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Loop> loops;
   std::vector<Coupling> couplings;
-  std::map<std::string, int> ignored;  // elements without mechanical content, by name
+  std::map<std::string, int> ignored;  // number of elements without mechanical content, by name
 };
 
-// Whether xacro has expanded the document. Reports the first instruction of xacro in an element that is read, or warns
-// of the first one elsewhere.
+// Whether xacro has expanded the document. Reports the first xacro instruction in an element that is read, or warns
+// about the first one elsewhere.
 bool check_expanded(const Element& root, const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-// With the loops and couplings of URDF+. Reports what is missing, malformed or given twice. The document is valid only
-// when no error was reported.
+// Reads a document, including the loops and couplings of URDF+. Reports what is missing, malformed or given twice. The
+// document is valid only if no error was reported.
 Document read_document(const Element& root, std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The type's name in a URDF.
+// The name of the type in a URDF.
 const char* name_of(JointType type);
 
-// Treats roll, pitch and yaw of the origins of joints and inertials that are within 1e-6 of a multiple of PI/12 and not
-// exactly zero: with `snap` they become that multiple, with a note on each; otherwise one note counts them.
+// Treats roll, pitch and yaw angles of joints and inertials that are within 1e-6 of a multiple of PI/12 and not exactly
+// zero. With `snap` they become that multiple, with a note on each; otherwise one note counts them.
 void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostics);
 
-// Reads the rotors of Drake's transmissions, `drake:rotor_inertia` and `drake:gear_ratio` of an actuator: their inertia
-// behind the gear becomes armature of the joint, with one note.
+// Reads the rotors of Drake's transmissions, given by `drake:rotor_inertia` and `drake:gear_ratio` of an actuator.
+// Their inertia behind the gear becomes the armature of the joint, with one note.
 void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
 
-// Gives the document to urdfdom, the reader that most programs use. Reports its errors, in its words. Returns the
-// limits of each joint: infinite when the document has no limit of that kind; a missing `lower` or `upper` in a `limit`
-// is zero, as URDF defines it. Empty when an error was reported.
+// Passes the document to urdfdom, the reader that most programs use, and reports its errors in its own words. Returns
+// the limits of each joint: infinite if the document has no limit of that kind; a missing `lower` or `upper` in a
+// `limit` is zero, as URDF defines it. Empty if an error was reported.
 std::vector<model::JointLimits> read_limits(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf

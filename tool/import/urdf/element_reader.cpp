@@ -44,7 +44,6 @@ void ElementReader::report_missing_attributes(const Element& element, const Name
   error.hint = fmt::format("write <{} {}=\"...\">", element.name, fmt::join(missing, "=\"...\" "));
 }
 
-// The name stands before `=` and the value.
 Span ElementReader::name_span(const Attribute& attribute) const {
   const std::string_view text = source_->text();
   const std::size_t equals = text.rfind('=', attribute.span.begin);
@@ -52,8 +51,6 @@ Span ElementReader::name_span(const Attribute& attribute) const {
   return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
 }
 
-// Warns of an attribute that is not read, when it may be a misspelt one of `optional`, or always when `known` are all
-// attributes of such an element.
 void ElementReader::check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all) {
   for (const Attribute& attribute : element.attributes) {
     const bool is_known =
@@ -68,8 +65,6 @@ void ElementReader::check_attributes(const Element& element, const Names& option
   }
 }
 
-// Counts an element that is not read, or warns of it when it is a misspelt one of `names`. A misspelt element that
-// must be there is reported as missing.
 void ElementReader::ignore(const Element& child, const Element& parent, const Names& names) {
   const std::string hint = suggestion(child.name, parent.children, names, names);
   if (!hint.empty() && hint == did_you_mean(child.name, {"parent", "child", "mass"})) return;
@@ -93,7 +88,6 @@ Name ElementReader::name(const Element& element, const char* attribute) {
   return {found->value, place(found->span)};
 }
 
-// The elements of these names, each at most once. Other elements are ignored.
 Parts ElementReader::parts(const Element& element, const Names& names) {
   Parts found;
   for (const Element& child : element.children) {
@@ -117,7 +111,6 @@ const Element* ElementReader::require_part(const Element& element, const Parts& 
   return nullptr;
 }
 
-// At the element that is probably a misspelt `part`, else at the owner.
 Diagnostic& ElementReader::report_missing_element(const Element& owner, const char* part, const std::string& message) {
   Diagnostic& error = diagnostics_.error("missing-element", place(owner.span), message);
   for (const Element& child : owner.children) {
@@ -129,7 +122,6 @@ Diagnostic& ElementReader::report_missing_element(const Element& owner, const ch
   return error;
 }
 
-// Words between blanks. Each has its own place, unless the value has entities.
 std::vector<ElementReader::Word> ElementReader::words(const Attribute& attribute) {
   constexpr const char* kBlanks = " \t\n\r";
   const std::string& value = attribute.value;
@@ -173,7 +165,6 @@ void ElementReader::report_not_a_number(const Word& word) {
   }
 }
 
-// One error at most about the words: the first one that is not a number may be why their count is wrong.
 std::vector<Number> ElementReader::numbers(const Attribute& attribute, std::size_t count, Range range) {
   std::vector<Number> result(count);
   const std::vector<Word> all = words(attribute);

@@ -1,4 +1,4 @@
-// Attributes and elements of XML, as names and numbers with their places.
+// Reads attributes and elements of XML as names and numbers with their places.
 #pragma once
 
 #include <algorithm>
@@ -13,19 +13,20 @@
 
 namespace robcogen::import::from_urdf {
 
-// Of attributes or elements.
+// Names of attributes or elements.
 using Names = std::vector<const char*>;
 
-// Elements inside another one, by name.
+// Child elements, by name.
 using Parts = std::map<std::string, const Element*>;
 
-// What a number may be: below 1e15, as quantities of robots are, or any finite one.
+// The range of a number: below 1e15, like all quantities of robots, or any finite number.
 enum class Range { of_a_robot, any };
 
-// nullptr when there is none.
+// Returns nullptr if there is none.
 const Attribute* find(const Element& element, const char* attribute);
 
-// `did you mean 'x'?` for a name that is not known here: the nearest of `candidates` that is not among `found`.
+// Returns `did you mean 'x'?` for a name that is not known here: the nearest of the `candidates` that is not among
+// `found`.
 template <class Items>
 std::string suggestion(const std::string& name, const Items& found, const Names& candidates, const Names& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return "";
@@ -36,10 +37,11 @@ std::string suggestion(const std::string& name, const Items& found, const Names&
   return did_you_mean(name, absent);
 }
 
-// Of the elements that have attributes which must be there.
+// The attributes of the elements that have mandatory attributes.
 const Names& known_attributes();
 
-// Reports what is malformed, missing or misspelt in the elements of one document, and counts those that it ignores.
+// Reads the elements of one document. Reports malformed, missing or misspelt items, and counts the elements that it
+// ignores.
 class ElementReader {
  public:
   ElementReader(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -52,35 +54,36 @@ class ElementReader {
 
   void report_missing_attributes(const Element& element, const Names& missing);
 
-  // Warns of an attribute that is not read, when it may be a misspelt one of `optional`, or always when `known` are all
-  // attributes of such an element.
+  // Warns about an attribute that is not read if it may be a misspelling of one of `optional`, or, if `is_all`,
+  // whenever it is not in `known`.
   void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all);
 
-  // Counts an element that is not read, or warns of it when it is a misspelt one of `names`. A misspelt element that
-  // must be there is reported as missing.
+  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`. A misspelt
+  // mandatory element is reported as missing instead.
   void ignore(const Element& child, const Element& parent, const Names& names);
 
   Name name(const Element& element, const char* attribute);
 
-  // The elements of these names, each at most once. Other elements are ignored.
+  // Returns the elements with these names, at most one of each. Other elements are ignored.
   Parts parts(const Element& element, const Names& names);
 
   const Element* require_part(const Element& element, const Parts& parts, const char* part);
 
-  // At the element that is probably a misspelt `part`, else at the owner.
+  // Reports a missing element at the element that is probably a misspelt `part`, or else at the owner.
   Diagnostic& report_missing_element(const Element& owner, const char* part, const std::string& message);
 
-  // One error at most about the words: the first one that is not a number may be why their count is wrong.
+  // Reads `count` numbers. Reports at most one error about the words, because the first one that is not a number may be
+  // why their count is wrong.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t count, Range range = Range::of_a_robot);
 
   std::array<Number, 3> triple(const Attribute& attribute);
 
   Number scalar(const Element& element, const char* attribute);
 
-  // Of the part `origin`; the identity where there is none.
+  // Reads the part `origin`; the identity if there is none.
   Origin origin(const Parts& parts);
 
-  // How many elements of each name were not read.
+  // The number of elements of each name that were not read.
   const std::map<std::string, int>& ignored() const { return ignored_; }
 
  private:
@@ -94,9 +97,9 @@ class ElementReader {
     Span span;
   };
 
-  // Between blanks. Each has its own place, unless the value has entities.
+  // Splits a value at blanks. Each word has its own place, unless the value contains entities.
   static std::vector<Word> words(const Attribute& attribute);
-  // The name stands before `=` and the value.
+  // The name precedes `=` and the value.
   Span name_span(const Attribute& attribute) const;
   Number number(const Word& word, Range range);
   void report_not_a_number(const Word& word);

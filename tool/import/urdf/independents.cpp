@@ -1,4 +1,4 @@
-// Joints that lead loops, or are said to follow.
+// Determines which joints of loops are independent.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Checks of the types of joints.
+// Checks the types of joints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void check_floating(const Document& document, const Topology& topology, std::siz
 
 constexpr const char* kMimic = "mimic-joint";
 
-// Cycles are found where the couplings of the model are resolved.
+// Cycles are found when the couplings of the model are resolved.
 void check_mimic(const Document& document, const Joint& joint, Diagnostics& diagnostics) {
   const Mimic& mimic = *joint.mimic;
   if (mimic.joint.text.empty()) return;  // reported

@@ -7,7 +7,7 @@
 namespace robcogen::import::from_urdf {
 namespace {
 
-// Adds the multiple of the other one, of factor 1 for `joint`, that leaves no share of the joint.
+// Eliminates the joint from the relation by adding a multiple of the other relation, in which the joint has factor 1.
 void eliminate(int joint, const LinearRelation& other, LinearRelation& relation) {
   const auto own = relation.find(joint);
   if (own == relation.end()) return;

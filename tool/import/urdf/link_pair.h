@@ -1,4 +1,4 @@
-// The two links that a loop or a coupling names, and the joints between them.
+// Finds the two links that a loop or a coupling names, and the joints between them.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@ namespace robcogen::import::from_urdf {
 // Links and joints of the document, by index.
 struct LinkPair {
   std::array<int, 2> links;               // predecessor, successor
-  std::array<std::vector<int>, 2> paths;  // joints to each, without fixed ones, from the last link that carries both
+  std::array<std::vector<int>, 2> paths;  // non-fixed joints to each, from the last link that carries both
 };
 
-// `names` are those of predecessor and successor. Reports a link that does not exist, or that `carried` does not have
-// as part of the robot; `owner` names it: `loop 'bar'`.
+// `names` are the names of predecessor and successor. Reports a link that does not exist, or that is not part of the
+// robot according to `carried`. `owner` is the loop or coupling, as in `loop 'bar'`.
 std::optional<LinkPair> find_link_pair(
     const std::array<Name, 2>& names,
     const std::string& owner,

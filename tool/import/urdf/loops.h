@@ -1,4 +1,4 @@
-// The phases of `add_loops`, each of which adds to a description. Joints and links are those of the document, by index.
+// The phases of `add_loops`, each of which adds to a description. Joints and links are indices into the document.
 #pragma once
 
 #include <set>
@@ -8,11 +8,11 @@
 
 namespace robcogen::import::from_urdf {
 
-// Whether each joint may follow: those with `independent="false"` if there are any, otherwise all but those with
-// `independent="true"`. The others lead the loops that they are part of.
+// Tells for each joint whether it may follow: if any joints have `independent="false"`, only these may; otherwise all
+// but those with `independent="true"`. The others are the independent joints of their loops.
 std::vector<bool> may_follow(const Document& document);
 
-// Loops, and user frames at their ends. Returns the joints that are part of them.
+// Adds loops, and user frames at their ends. Returns the joints that are part of them.
 std::set<int> add_loop_joints(
     const Document& document,
     const Topology& topology,
@@ -20,7 +20,7 @@ std::set<int> add_loop_joints(
     model::Description& description,
     Diagnostics& diagnostics);
 
-// A coupling for each joint that follows by those of the document.
+// Adds a coupling for each joint that follows others through the couplings of the document.
 void add_couplings(
     const Document& document,
     const Topology& topology,
@@ -29,7 +29,7 @@ void add_couplings(
     model::Description& description,
     Diagnostics& diagnostics);
 
-// The joints that lead loops and are not coupled. Reports those that are said to follow, but do not.
+// Adds the independent joints of loops that are not coupled. Reports joints that are declared to follow but do not.
 void add_independents(
     const Document& document,
     const Identifiers& identifiers,

@@ -15,10 +15,10 @@ using model::Quantity;
 namespace {
 
 // A principal moment may be negative by this fraction of the largest one: rods and plates lie exactly on the limit, and
-// rounding to three digits moves them beyond it by as much. (The model warns from 1e-6 on.)
+// rounding to three digits can move them beyond it by this much. (The model warns from 1e-6 on.)
 constexpr double kRounding = 1e-2;
-// And by this fraction of the moment of the link's mass at its reach: the moments of a point mass are differences of
-// moments of that size, computed in doubles.
+// In addition, it may be negative by this fraction of the moment of the link's mass at its reach: the moments of a
+// point mass are differences of moments of that size, computed in doubles.
 constexpr double kNoise = 1e-11;
 const char* const kHint = "--allow-implausible makes this a warning";
 
@@ -42,7 +42,7 @@ double length(const std::array<Number, 3>& v) {
   return std::hypot(v[0].value(), v[1].value(), v[2].value());
 }
 
-// By link: the largest distance from the origin of its frame to its centre of mass, a joint, or its parent's frame.
+// By link: the largest distance (m) from the origin of its frame to its centre of mass, a joint, or its parent's frame.
 std::vector<double> reaches(const Document& document, const Topology* topology) {
   std::vector<double> reach(document.links.size(), 0.0);
   const auto widen = [&](int link, double distance) { reach[at(link)] = std::max(reach[at(link)], distance); };
@@ -56,7 +56,7 @@ std::vector<double> reaches(const Document& document, const Topology* topology) 
   return reach;
 }
 
-// By link: whether a joint moves it. The other links are part of the base.
+// By link: whether a joint moves it. Other links are part of the base.
 std::vector<bool> moved(const Document& document, const Topology* topology) {
   std::vector<bool> moved(document.links.size(), topology == nullptr);
   if (topology == nullptr) return moved;
@@ -67,7 +67,7 @@ std::vector<bool> moved(const Document& document, const Topology* topology) {
   return moved;
 }
 
-// `is_used`: the link moves. The mass of a fixed base changes no result.
+// `is_used` tells that the link moves. The mass of a fixed base does not affect any result.
 void report(bool is_used, const char* code, const Place& place, const std::string& message, Diagnostics& diagnostics) {
   if (is_used) {
     diagnostics.error(code, place, message).hint = kHint;
@@ -100,7 +100,7 @@ model::Inertia part_of_body(const PlacedInertial& part) {
   model::Inertia result;
   result.mass = Quantity(i.mass);
   result.ixx = Quantity(i.ixx), result.iyy = Quantity(i.iyy), result.izz = Quantity(i.izz);
-  // The model holds products of inertia, the tensor their negatives.
+  // The model stores products of inertia; the tensor contains their negatives.
   result.ixy = Quantity(-i.ixy), result.ixz = Quantity(-i.ixz), result.iyz = Quantity(-i.iyz);
   result.reference = placement_of(part.link * pose_of(i.origin));
   return result;

@@ -8,17 +8,17 @@
 namespace robcogen::import::from_urdf {
 
 // Reports negative masses, and tensors that are not positive semi-definite beyond rounding: as errors, or as warnings
-// for a link of a fixed base. `topology` is null when it has errors.
+// for a link of a fixed base. `topology` is nullptr if it has errors.
 void check_inertials(const Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics);
 
 struct PlacedInertial {
   const Inertial* inertial = nullptr;
-  Pose link;  // of the frame of its link in the frame of the body
+  Pose link;  // pose of its link's frame in the frame of the body
 };
 
 Pose pose_of(const Origin& origin);
 
-// About the origin and in the axes of the body's frame; nullopt for no parts.
+// Returns the sum of the parts about the origin and in the axes of the body's frame; nullopt if there are no parts.
 std::optional<model::Inertia> lumped(const std::vector<PlacedInertial>& parts);
 
 }  // namespace robcogen::import::from_urdf

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxNameLength = 255;  // of a robot document
 
-// By identifier: the name that it stands for.
+// The names in the document, by identifier.
 using Taken = std::map<std::string, const Name*>;
 
 void take(Taken& taken, const std::string& identifier, const Name& name, const char* kind, Diagnostics& diagnostics) {

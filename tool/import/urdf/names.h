@@ -1,4 +1,4 @@
-// Names of a document as identifiers of a model.
+// Converts names of a document to identifiers of a model.
 #pragma once
 
 #include "import/urdf/document.h"
@@ -8,11 +8,11 @@ namespace robcogen::import::from_urdf {
 struct Identifiers {
   std::string robot;
   std::vector<std::string> links;   // in the order of the document
-  std::vector<std::string> joints;  // likewise; empty for those that the model does not have
+  std::vector<std::string> joints;  // likewise; empty for joints that the model does not have
 };
 
-// A joint with the name of a link becomes `<name>_joint`, with a note. Reports two names of one kind that become equal,
-// and names that are too long for a robot document.
+// Gives a joint with the name of a link the name `<name>_joint`, with a note. Reports two names of one kind that become
+// equal, and names that are too long for a robot document.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf

@@ -1,4 +1,4 @@
-// From elements to the document.
+// Converts elements to the document.
 #include "import/urdf/read.h"
 
 #include <fmt/format.h>

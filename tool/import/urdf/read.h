@@ -1,4 +1,4 @@
-// What a document consists of, read from its elements.
+// Reads the elements of a document.
 #pragma once
 
 #include "import/urdf/element_reader.h"
@@ -7,10 +7,10 @@ namespace robcogen::import::from_urdf {
 
 Link read_link(const Element& element, ElementReader& reader);
 
-// What has no meaning for the type of the joint is not read.
+// Child elements that have no meaning for the type of the joint are not read.
 Joint read_joint(const Element& element, ElementReader& reader);
 
-// URDF+.
+// Elements of URDF+.
 Loop read_loop(const Element& element, ElementReader& reader);
 Coupling read_coupling(const Element& element, ElementReader& reader);
 

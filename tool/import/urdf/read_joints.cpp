@@ -1,4 +1,4 @@
-// Joints of the tree.
+// Reads the joints of the tree.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +8,7 @@
 namespace robcogen::import::from_urdf {
 namespace {
 
-// A URDF does not say which of its coordinates they are about.
+// Reports items that do not apply to planar joints: a URDF does not say to which of the three coordinates they refer.
 void report_items_of_planar(const Parts& own, const Joint& joint, ElementReader& reader) {
   if (const auto mimic = own.find("mimic"); mimic != own.end())
     reader.diagnostics().error(
@@ -45,7 +45,7 @@ Mimic read_mimic(const Element& element, ElementReader& reader) {
   return result;
 }
 
-// Programs that simulate take a negative value as none.
+// Simulators treat a negative value as zero.
 Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
   Dynamics result;
   result.place = reader.place(element.span);
@@ -115,7 +115,7 @@ Joint read_joint(const Element& element, ElementReader& reader) {
   if (const Element* parent = reader.require_part(element, own, "parent")) result.parent = reader.name(*parent, "link");
   if (const Element* child = reader.require_part(element, own, "child")) result.child = reader.name(*child, "link");
   result.origin = reader.origin(own);
-  if (!type || !has_axis(result)) return result;  // the rest has no meaning
+  if (!type || !has_axis(result)) return result;  // the rest does not apply to this type
   if (const auto axis = own.find("axis"); axis != own.end())
     read_axis(*axis->second, fmt::format("joint '{}'", result.name.text), result.axis, reader);
   if (result.type == JointType::planar) {

@@ -1,4 +1,4 @@
-// Links and their mass properties.
+// Reads links and their mass properties.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

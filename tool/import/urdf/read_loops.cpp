@@ -1,4 +1,4 @@
-// The elements `loop` and `coupling` of URDF+.
+// Reads the elements `loop` and `coupling` of URDF+.
 #include <fmt/format.h>
 
 #include "import/urdf/joint_attributes.h"

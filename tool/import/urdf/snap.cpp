@@ -1,4 +1,4 @@
-// Angles that are multiples of PI/12 up to the rounding of their decimals.
+// Finds angles that are multiples of PI/12 up to the rounding of their decimals.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-constexpr double kNear = 1e-6;  // rad; decimals of six digits and more
+constexpr double kNear = 1e-6;  // rad; covers angles with six or more decimals
 constexpr int kStepsInHalfTurn = 12;
 
 constexpr std::array<const char*, 3> kAngleNames = {"roll", "pitch", "yaw"};
@@ -20,12 +20,12 @@ struct Snap {
   double change = 0.0;
 };
 
-// The multiple of PI/12 that is near, unless the angle is zero.
+// Returns the multiple of PI/12 near the angle, unless the angle is zero.
 std::optional<Snap> near_multiple(const Number& angle) {
   if (angle.is_zero()) return std::nullopt;
   constexpr long double kStep = std::numbers::pi_v<long double> / kStepsInHalfTurn;
   const auto steps = std::llround(angle.value() / kStep);
-  // In long double: the nearest double of PI/2 is not PI/2.
+  // Computed in long double, because the double nearest to PI/2 is not PI/2.
   const auto change = static_cast<double>(static_cast<long double>(steps) * kStep - angle.value());
   return std::abs(change) <= kNear ? std::optional<Snap>({Number::pi_multiple(steps, kStepsInHalfTurn), change})
                                    : std::nullopt;

@@ -1,4 +1,4 @@
-// Checks the document with urdfdom, the reader that most programs use: they cannot read what it refuses.
+// Checks the document with urdfdom, the reader that most programs use: they cannot read what urdfdom refuses.
 #include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <tinyxml.h>
@@ -16,7 +16,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// Collects the messages of urdfdom instead of the console, during its lifetime.
+// During its lifetime, collects the messages of urdfdom instead of writing them to the console.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() { console_bridge::useOutputHandler(this); }
@@ -60,7 +60,7 @@ std::string text_of(const Link& link) {
       quoted(i.iyy), quoted(i.iyz), quoted(i.izz));
 }
 
-// urdfdom requires a limit, with effort and velocity.
+// urdfdom requires a limit with effort and velocity.
 std::string text_of(const Limit& limit) {
   std::string text = "<limit";
   if (limit.lower) text += fmt::format(" lower={}", quoted(*limit.lower));
@@ -81,7 +81,7 @@ std::string text_of(const Joint& joint) {
   return text + "</joint>\n";
 }
 
-// Only the elements that are read: a broken mesh must not prevent dynamics.
+// Contains only the elements that are read, so that a broken mesh does not prevent the generation of dynamics.
 std::string text_of(const Document& document) {
   std::string text = fmt::format("<robot name={}", quoted(document.name.text));
   if (!document.version.empty()) text += fmt::format(" version={}", quoted(document.version));
@@ -91,7 +91,7 @@ std::string text_of(const Document& document) {
   return text + "</robot>\n";
 }
 
-// The place of the element that the message names, else of the robot.
+// Returns the place of the element that the message names, or else of the robot.
 Place place_of(const std::string& message, const Document& document) {
   const auto names = [&](const Name& name) {
     return message.find(fmt::format("'{}'", name.text)) != std::string::npos ||
@@ -104,7 +104,7 @@ Place place_of(const std::string& message, const Document& document) {
   return document.name.place;
 }
 
-// A URDF that must give a number writes a large one for no limit.
+// A URDF must give a number, and uses a large one for no limit.
 double bounded(double limit) {
   constexpr double kNone = 1e9;
   return std::abs(limit) < kNone ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
@@ -140,7 +140,7 @@ std::vector<model::JointLimits> read_limits(const Document& document, Diagnostic
     const urdf::JointConstSharedPtr found = read->getJoint(joint.name.text);
     limits.push_back(found && found->limits ? limits_of(joint, *found->limits) : model::JointLimits());
   }
-  // A link owns its children: freeing a long chain would recurse as deep.
+  // A link owns its children: without this, freeing a long chain would recurse as deep as the chain is long.
   for (const auto& [name, link] : read->links_) {
     link->child_links.clear();
     link->child_joints.clear();

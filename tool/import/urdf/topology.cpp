@@ -13,7 +13,7 @@ namespace robcogen::import::from_urdf {
 
 namespace {
 
-// The names of links or joints. Reports names that are given twice.
+// Returns the names of links or joints. Reports duplicate names.
 template <class Element>
 model::NameIndex names_of(
     const std::vector<Element>& elements,
@@ -49,7 +49,7 @@ class Connector {
       topology_.child.push_back(find(joint.child, joint));
       adopt(static_cast<int>(j));
     }
-    // Without these links, others would seem to be roots.
+    // If links are unknown, others would seem to be roots.
     const bool is_complete = std::count(topology_.parent.begin(), topology_.parent.end(), -1) == 0 &&
                              std::count(topology_.child.begin(), topology_.child.end(), -1) == 0;
     if (!is_complete || diagnostics_.error_count() > errors_before || document_.links.empty()) return std::nullopt;
@@ -61,8 +61,8 @@ class Connector {
   }
 
  private:
-  // -1, and an error, when no link has the name. When a link has no name or that of another link, it may be meant to
-  // have this one: that error was reported.
+  // Returns -1, and reports an error, if no link has this name. If a link has no name, or the same name as another
+  // link, it may be the one that is meant; this was reported, and no further error is.
   int find(const Name& name, const Joint& joint) {
     if (name.text.empty()) return -1;  // reported by read_document
     if (const auto found = links_.find(name.text)) return *found;
@@ -135,7 +135,7 @@ class Connector {
     }
   }
 
-  // From a link that cannot be reached from a root, the walk to the parents ends in a cycle.
+  // The path to the parents of a link that no root reaches ends in a cycle.
   void report_cycles() {
     enum class State { unseen, on_this_walk, done };
     std::vector<State> states(document_.links.size(), State::unseen);
@@ -154,7 +154,7 @@ class Connector {
     }
   }
 
-  // `loop` leads from each link to its parent.
+  // Reports a cycle. `loop` lists its links, each followed by its parent.
   void report_cycle(std::vector<int> loop) {
     constexpr std::size_t kShown = 8;
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -185,7 +185,7 @@ void declare_world(Document& document, Diagnostics& diagnostics) {
   if (first == document.joints.end()) return;
   std::set<std::string> children;
   for (const Joint& joint : document.joints) children.insert(joint.child.text);
-  // A declared `world` is one of these, or a child.
+  // A declared `world` is one of these links, or is a child.
   const bool has_root = std::any_of(
       document.links.begin(), document.links.end(), [&](const Link& l) { return !children.contains(l.name.text); });
   if (has_root || children.contains("world")) return;

@@ -13,12 +13,12 @@ struct Topology {
   std::vector<int> order;         // links, parents before children
 };
 
-// Declares link `world`, without inertia, when joints refer to it as a parent and it is the root: no joint has it as a
-// child, and each declared link is the child of a joint. Warns of it. Other undeclared links are errors.
+// Declares link `world` without inertia if joints refer to it as a parent and it can be the root: no joint has it as a
+// child, and each declared link is the child of a joint. Warns about it. Other undeclared links are errors.
 void declare_world(Document& document, Diagnostics& diagnostics);
 
-// Reports names that are given twice or unknown, links with two parents, and links that do not form one tree. nullopt
-// when an error was reported.
+// Reports names that are duplicate or unknown, links with two parents, and links that do not form one tree. nullopt if
+// an error was reported.
 std::optional<Topology> connect(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf

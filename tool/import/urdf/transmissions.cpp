@@ -1,4 +1,4 @@
-// The rotors behind the gears of transmissions, as Drake's extension of URDF writes them.
+// Reads the rotors behind the gears of transmissions, as written in Drake's extension of URDF.
 #include <fmt/format.h>
 
 #include <algorithm>

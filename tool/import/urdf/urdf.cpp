@@ -24,8 +24,8 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
       fmt::format("elements without influence on kinematics and dynamics are ignored: {}", list));
 }
 
-// Other programs for dynamics leave damping and friction out of inverse dynamics, and many files hold values that were
-// tuned for a simulator: they are asked for.
+// Other dynamics programs omit damping and friction from inverse dynamics, and many files contain values that were
+// tuned for a simulator. Therefore they must be requested.
 void note_passive_forces(const Document& document, Diagnostics& diagnostics) {
   for (const Joint& joint : document.joints) {
     if (!joint.dynamics || (joint.dynamics->damping.is_zero() && joint.dynamics->friction.is_zero())) continue;
@@ -38,7 +38,7 @@ void note_passive_forces(const Document& document, Diagnostics& diagnostics) {
   }
 }
 
-// Leaves out the hints on inertias, which are for documents with moments about the origin of a frame. In a URDF they
+// Drops the hints on inertias, which apply to documents with moments about the origin of a frame. In a URDF, moments
 // are about the centre of mass.
 std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
   Diagnostics of_model;

@@ -1,4 +1,4 @@
-// Instructions of xacro in a URDF: without their expansion the robot would be incomplete.
+// Finds xacro instructions in a URDF: until they are expanded, the robot is incomplete.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace {
 
 struct Instruction {
   Span span;
-  std::string text;  // for a message: `element 'xacro:include'`
+  std::string text;  // for a message, as in `element 'xacro:include'`
 };
 
-// In elements that are read, and in those that are ignored: meshes, simulators, transmissions.
+// Instructions in elements that are read, and in elements that are ignored: meshes, simulators, transmissions.
 struct Instructions {
   std::vector<Instruction> read, ignored;
 };
@@ -23,7 +23,7 @@ bool is_expression(const std::string& value) {
   return value.find("${") != std::string::npos || value.find("$(") != std::string::npos;
 }
 
-// Older versions had no namespace.
+// Older versions of xacro had no namespace.
 bool is_instruction(const Element& element, bool is_top_level) {
   return element.name.starts_with("xacro:") || (is_top_level && (element.name == "macro" || element.name == "include"));
 }
@@ -38,7 +38,7 @@ void collect(const Element& element, bool is_read, Instructions& found) {
   for (const Element& child : element.children) {
     if (is_instruction(child, is_robot)) {
       found.read.push_back({child.span, fmt::format("element '{}'", child.name)});
-      continue;  // its content belongs to it
+      continue;  // its content is part of the instruction
     }
     const auto names = is_robot                  ? std::vector{"link", "joint"}
                        : element.name == "link"  ? std::vector{"inertial"}

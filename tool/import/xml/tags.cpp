@@ -1,4 +1,5 @@
-// A scanner of tags that protects TinyXML, which recurses, and gives clearer messages.
+// A scanner of tags. It gives clearer messages than TinyXML, and protects it from deep nesting, which it parses
+// recursively.
 #include <fmt/format.h>
 
 #include <set>
@@ -64,7 +65,7 @@ class TagScanner {
     return diagnostics_.error("not-xml", place(span), fmt::format("not well-formed XML: {}", message));
   }
 
-  // The name in the span of `<name`.
+  // Returns the name within the span of `<name`.
   std::string_view name_of(const Span& span) const { return text_.substr(span.begin + 1, span.end - span.begin - 1); }
 
   void skip_past(std::string_view end, std::size_t length_of_begin, const char* what) {
@@ -76,13 +77,13 @@ class TagScanner {
     }
   }
 
-  // The end of the name that begins here.
+  // Returns the end of the name that begins at `at`.
   std::size_t end_of_name(std::size_t at) const {
     while (at < text_.size() && !is_blank(text_[at]) && text_[at] != '/' && text_[at] != '>' && text_[at] != '<') ++at;
     return at;
   }
 
-  // The word between `begin` and the `=` at `end`.
+  // Returns the last word between `begin` and the `=` at `end`.
   Span name_before(std::size_t begin, std::size_t end) const {
     while (end > begin && is_blank(text_[end - 1])) --end;
     std::size_t first = end;
@@ -90,7 +91,7 @@ class TagScanner {
     return {first, end};
   }
 
-  // Reports a character that cannot follow the quote which closes a value.
+  // Reports a character that cannot follow the closing quote of a value.
   bool check_after_value(std::size_t opening, std::size_t closing) {
     const char next = closing + 1 < text_.size() ? text_[closing + 1] : '>';
     if (is_blank(next) || next == '/' || next == '>' || next == '<' || starts_name(next)) return true;
@@ -106,7 +107,7 @@ class TagScanner {
   void open() {
     const Span tag = {at_, end_of_name(at_ + 1)};
     std::set<std::string_view> attributes;
-    std::size_t quote = kNone;  // the one that is open
+    std::size_t quote = kNone;  // the quote that is open
     std::size_t end = tag.end;
     for (; end < text_.size() && (quote != kNone || text_[end] != '>'); ++end) {
       const char c = text_[end];

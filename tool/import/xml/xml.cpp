@@ -9,8 +9,8 @@ namespace robcogen::import::xml {
 
 namespace {
 
-// The text for TinyXML, with each byte at the same offset: without a byte order mark, and with one kind of line end, so
-// that its rows and columns are those of the source.
+// Returns the text for TinyXML: without a byte order mark, and with one kind of line end, so that its rows and columns
+// are those of the source. Each byte keeps its offset.
 std::string with_plain_line_ends(std::string_view text) {
   std::string plain(text);
   if (text.starts_with(kByteOrderMark)) plain.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
@@ -31,7 +31,7 @@ class Converter {
  public:
   explicit Converter(std::string_view text) : text_(text), line_starts_(line_starts_of(text)) {}
 
-  // The end of the text when TinyXML gives no place.
+  // Returns the end of the text if TinyXML gives no place.
   std::size_t offset_of(int row, int column) const {
     if (row < 1 || column < 1 || static_cast<std::size_t>(row) > line_starts_.size()) return text_.size();
     return line_starts_[static_cast<std::size_t>(row - 1)] + static_cast<std::size_t>(column - 1);
@@ -50,7 +50,7 @@ class Converter {
   }
 
  private:
-  // `at` is where `name = "value"` begins.
+  // Returns the span of the value in `name = "value"`, which begins at `at`.
   Span value_span(std::size_t at) const {
     const std::size_t equals = text_.find('=', at);
     if (equals == std::string_view::npos) return {at, at};
@@ -92,7 +92,7 @@ std::optional<Element> read(const std::shared_ptr<const Source>& source, Diagnos
 
   TiXmlDocument document;
   document.SetTabSize(1);
-  // Without decoding: columns count bytes, names keep their spelling.
+  // Parse without decoding: columns count bytes, and names keep their spelling.
   const char* end = document.Parse(text.c_str(), nullptr, TIXML_ENCODING_LEGACY);
   const Converter converter(text);
   if (document.Error() && document.ErrorId() != TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY) {

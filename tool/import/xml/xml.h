@@ -24,12 +24,12 @@ struct Element {
   std::vector<Element> children;  // in the order of the text; text between elements is left out
 };
 
-// Checks that the tags of the text match, are nested at most 100 levels deep and have at most 1000 attributes each, in
-// at most 64 MiB: more than any robot needs, and no more than TinyXML can read, which recurses. Reports the first
-// fault. Offsets are those of the text; the byte order mark must have been removed.
+// Checks that the tags of the text match, are nested at most 100 levels deep, and have at most 1000 attributes each, in
+// at most 64 MiB. This is more than any robot needs, and within what TinyXML, which recurses, can read. Reports the
+// first fault. Offsets refer to the text, from which the byte order mark must have been removed.
 bool check_tags(const std::shared_ptr<const Source>& source, std::string_view text, Diagnostics& diagnostics);
 
-// The root element. Reports text that is not well-formed XML.
+// Returns the root element. Reports text that is not well-formed XML.
 std::optional<Element> read(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::xml

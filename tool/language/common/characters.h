@@ -1,4 +1,4 @@
-// Classes of characters in documents, which are ASCII outside comments, and what is another encoding.
+// Classes of characters in documents, which are ASCII outside comments, and the detection of UTF-16.
 #pragma once
 
 #include <string_view>
@@ -22,7 +22,7 @@ inline bool is_symbol(char c) {
   return symbols.find(c) != std::string_view::npos;
 }
 
-// By its byte-order mark, or by zeros in one of its first bytes.
+// Detects UTF-16 by its byte order mark, or by a zero in one of the first two bytes.
 inline bool is_utf16(std::string_view text) {
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
   return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');

@@ -17,7 +17,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kBlanks), text.size()));
 }
 
-// Of a name in XML.
+// Whether the character may be part of a name in XML.
 bool is_of_name(char c) {
   return is_word(c) || c == '-' || c == '.' || c == ':';
 }
@@ -27,8 +27,8 @@ std::string_view name_at(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-// The name of the root element of XML, after declarations, comments and processing instructions. Empty when the text is
-// not XML.
+// Returns the name of the root element of XML, after declarations, comments and processing instructions. Empty if the
+// text is not XML.
 std::string_view root_element(std::string_view text) {
   for (text = without_blanks(text); text.starts_with('<'); text = without_blanks(text)) {
     const std::string_view end = text.starts_with("<?") ? "?>" : text.starts_with("<!--") ? "-->" : ">";
@@ -41,7 +41,7 @@ std::string_view root_element(std::string_view text) {
   return {};
 }
 
-// More than one byte in eight is a control character.
+// Whether more than one byte in eight is a control character.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kExamined = 512, kMinSize = 16;
   const std::string_view beginning = text.substr(0, kExamined);
@@ -58,7 +58,7 @@ bool is_json(std::string_view text) {
   return inside.starts_with('"') || inside.starts_with('}');
 }
 
-// After comments, a line `key: …` or a marker of YAML.
+// Whether a line `key: …` or a marker of YAML follows the comments.
 bool is_yaml(std::string_view text) {
   while (text.starts_with('#')) text = without_blanks(text.substr(std::min(text.find('\n'), text.size())));
   if (text.starts_with("---") || text.starts_with("%YAML")) return true;
@@ -69,7 +69,7 @@ bool is_yaml(std::string_view text) {
   return is_key && ends && line.find('{') == std::string_view::npos;
 }
 
-// For a message: what the text is.
+// Returns what the text is, for a message.
 std::string description(Content content, std::string_view text) {
   switch (content) {
     case Content::urdf:

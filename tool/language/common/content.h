@@ -1,4 +1,4 @@
-// The kind of document that a file holds, judged by its text.
+// Detects the kind of document in a file from its text.
 #pragma once
 
 #include <memory>
@@ -8,16 +8,19 @@
 
 namespace robcogen::language {
 
-// `unknown`: perhaps a document of the four languages, or a part of one.
+// `unknown`: possibly a document in one of the four languages, or a part of one.
 enum class Content { unknown, urdf, sdf, mjcf, xml, json, yaml, binary };
 
-// Judges by the beginning of the text: the root element of XML, the first character of JSON, the first key of YAML.
+// Detects the content by the beginning of the text: the root element of XML, the first character of JSON, the first key
+// of YAML.
 Content content_of(std::string_view text);
 
-// Reports, once, content that robcogen does not read: all kinds except `urdf` and `unknown`. Returns whether it did.
+// Reports, once, content that robcogen does not read: all kinds except `urdf` and `unknown`. Returns whether it
+// reported anything.
 bool refuse_foreign(const std::shared_ptr<const Source>& source, Diagnostics& diagnostics);
 
-// The tokens of a document of the four languages. Other content, URDFs included, is reported once, and the list is cut.
+// Returns the tokens of a document in one of the four languages. Other content, including URDF, is reported once, and
+// the list is cut.
 TokenList tokenize_document(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
 }  // namespace robcogen::language

@@ -9,7 +9,7 @@
 namespace robcogen::language {
 namespace {
 
-// The words between quotes: `'Robot' or 'Model'` names two.
+// Returns the words between quotes: `'Robot' or 'Model'` contains two.
 std::vector<std::string> quoted_words(std::string_view text) {
   std::vector<std::string> words;
   for (std::size_t begin = text.find('\''); begin != std::string_view::npos;) {
@@ -91,7 +91,7 @@ bool Cursor::adjacent(std::size_t ahead) const {
 }
 
 bool Cursor::is_faulty_here() const {
-  constexpr std::size_t kMaxDistance = 1000;  // in a line without end, each error would look at all of it
+  constexpr std::size_t kMaxDistance = 1000;  // bounds the search: a line may be very long
   const auto after = std::lower_bound(
       list_.faults.begin(), list_.faults.end(), peek().span.begin + 1,
       [](const Span& fault, std::size_t offset) { return fault.begin < offset; });

@@ -1,4 +1,4 @@
-// A cursor over tokens, with expectations and recovery: shared by the recursive-descent parsers of all languages.
+// A cursor over tokens with expectations and error recovery, shared by the recursive-descent parsers of all languages.
 #pragma once
 
 #include <initializer_list>
@@ -10,16 +10,16 @@
 
 namespace robcogen::language {
 
-// Thrown inside a parser where a construct cannot continue; caught where the parser can resynchronise. The diagnostic
-// has been reported.
+// Thrown inside a parser if a construct cannot continue; caught where the parser can resynchronise. The diagnostic has
+// been reported.
 struct SyntaxError {};
 
-// Thrown where the document turns out to be in another language as a whole. The diagnostic has been reported.
+// Thrown if the document turns out to be in another language. The diagnostic has been reported.
 struct OtherLanguage {};
 
 class Cursor {
  public:
-  // Keywords are reserved: unless escaped they are never taken as names or operands.
+  // Keywords are reserved: unless escaped, they are never taken as names or operands.
   Cursor(TokenList list, std::vector<std::string> keywords, Diagnostics& diagnostics);
 
   const Token& peek(std::size_t ahead = 0) const;
@@ -30,13 +30,13 @@ class Cursor {
   bool at(std::string_view symbol_or_keyword, std::size_t ahead = 0) const;
   bool at_any(std::initializer_list<std::string_view> words) const;
   bool at_keyword() const { return is_keyword(peek()); }
-  // Only blanks stand before the present token in its line.
+  // Whether only blanks precede the present token in its line.
   bool begins_line() const;
-  // The present token stands in a later line than the one before it.
+  // Whether the present token is on a later line than the token before it.
   bool after_line_end() const;
-  // The two tokens from here stand in one line, with no blank between.
+  // Whether the two tokens from here are on one line, with no blank in between.
   bool adjacent(std::size_t ahead = 0) const;
-  // At an identifier that is not a keyword.
+  // Whether the cursor is at an identifier that is not a keyword.
   bool at_name(std::size_t ahead = 0) const;
   bool accept(std::string_view symbol_or_keyword);
   Token expect(std::string_view symbol_or_keyword, std::string_view context);
@@ -47,23 +47,23 @@ class Cursor {
   Diagnostic& error(std::string code, std::string message);
   Diagnostic& error_at(Span span, std::string code, std::string message);
   Diagnostic& warning_at(Span span, std::string code, std::string message);
-  // `expected …, found …`, with a hint when a quoted word of `expected` may be meant. Reports nothing where the lexer
-  // has reported the text nearby, nor at the end of tokens that were cut short.
+  // Reports `expected …, found …`, with a hint if a quoted word of `expected` may be intended. Reports nothing if the
+  // lexer has reported the text nearby, or at the end of tokens that were cut short.
   [[noreturn]] void unexpected(std::string_view expected, std::string_view context);
-  // Whether the lexer has reported text in this line, or between the present token and the one before it.
+  // Whether the lexer has reported text on this line, or between the present token and the token before it.
   bool is_faulty_here() const;
 
-  // A statement begins here. Inside a statement, a token that is missing at the end of a line is reported there, and
-  // not at the first token of the next line.
+  // Marks the beginning of a statement. Within a statement, a token that is missing at the end of a line is reported
+  // there, and not at the first token of the next line.
   void begin_statement() { statement_ = at_; }
 
-  // `1,5`: a decimal comma after the number that was taken last.
+  // Whether the cursor is at a decimal comma, as in `1,5`, after the number that was taken last.
   bool at_decimal_comma() const;
   [[noreturn]] void decimal_comma(Span span);
 
-  // How many blocks are open here: `{` was taken, its `}` was not.
+  // The number of blocks that are open here: `{` was taken, but not its `}`.
   std::size_t open_blocks() const { return open_braces_.size(); }
-  // Continue as if a brace had been taken that is missing here, which has been reported.
+  // Continues as if a missing brace had been taken. The missing brace has been reported.
   void assume_open_brace() { open_braces_.push_back(peek().span); }
   void assume_closing_brace() {
     if (!open_braces_.empty()) open_braces_.pop_back();
@@ -73,7 +73,7 @@ class Cursor {
     while (!at_end() && !stop()) take();
   }
 
-  // Comments that stand before this offset and were not returned yet.
+  // Returns the comments before this offset that were not returned yet.
   std::vector<std::string> comments_before(std::size_t offset);
 
  private:
@@ -81,21 +81,21 @@ class Cursor {
   std::vector<std::string> keywords_;
   Diagnostics& diagnostics_;
   std::size_t at_ = 0;
-  std::size_t statement_ = 0;  // its first token
+  std::size_t statement_ = 0;  // index of its first token
   std::size_t next_comment_ = 0;
   std::vector<Span> open_braces_;
 
   bool is_keyword(const Token& token) const;
-  // Inside a statement, after the last token of a line.
+  // Whether the cursor is inside a statement and after the last token of a line.
   bool misses_token() const { return at_ > statement_ && after_line_end(); }
   void report_unexpected_end(std::string_view expected);
   std::string hint_for(std::string_view expected) const;
 };
 
-// How a token reads in a message: `'}'`, `number '0.5'`, `the end of the file`.
+// Returns a token as text for a message: `'}'`, `number '0.5'`, `the end of the file`.
 std::string describe(const Token& token);
 
-// `did you mean 'x'?` for the keyword that is near to the word or contains it, or empty.
+// Returns `did you mean 'x'?` for the keyword that is similar to the word or contains it, or an empty string.
 std::string suggest_keyword(std::string_view word, const std::vector<std::string>& keywords);
 
 }  // namespace robcogen::language

@@ -36,7 +36,7 @@ std::string inside(const Expression& e, Strength least) {
   return strength(e) < least ? "(" + text + ")" : text;
 }
 
-// Without an exponent, which the first RobCoGen did not read, unless the number is too large or too small to be
+// Prints a number without an exponent, which the first RobCoGen did not read, unless it is too large or too small to be
 // readable.
 std::string decimal(const Number& number) {
   const double value = number.value(), magnitude = std::abs(value);
@@ -79,8 +79,8 @@ std::string print(const Expression& e) {
     case Kind::subtract:
       return inside(*e.left, sum) + " - " + inside(*e.right, product);
     case Kind::multiply: {
-      // The first RobCoGen reads the product of a number and a name only without '*'. It has no parameters with
-      // defaults.
+      // The first RobCoGen reads the product of a number and a name only without '*'. It does not have parameters with
+      // default values.
       const bool is_name = e.right->kind == Kind::pi || (e.right->kind == Kind::name && !e.right->default_value);
       const bool is_plain = e.right->group.empty() && !e.right->is_parameter;
       const bool juxtaposed = e.left->kind == Kind::number && is_name && is_plain;

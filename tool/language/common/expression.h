@@ -23,7 +23,7 @@ struct Expression {
     negate,
     add,
     subtract,
-    multiply,  // `*`, or juxtaposition where `juxtaposed`
+    multiply,  // `*`, or juxtaposition if `juxtaposed`
     divide,
     sine,
     cosine,
@@ -43,14 +43,14 @@ struct Expression {
   bool juxtaposed = false;              // kind multiply: written `2.0 a`, not `2.0*a`
 };
 
-// A literal, or a folded constant.
+// Returns a literal or a folded constant.
 ExpressionPtr literal(Span span, const Number& number);
 
-// Text that parses back to an equal tree, except for spans. Prefers the spelling of the first RobCoGen (`PI/2.0`,
-// `-PI/2.0`, `0.5 len`) where it exists.
+// Returns text that parses to an equal tree, except for spans. Prefers the spelling of the first RobCoGen (`PI/2.0`,
+// `-PI/2.0`, `0.5 len`) if there is one.
 std::string print(const Expression& e);
 
-// Same tree; spans may differ.
+// Whether the trees are the same; spans may differ.
 bool equal(const Expression& a, const Expression& b);
 
 }  // namespace robcogen::language

@@ -15,7 +15,7 @@ Name name(Cursor& cursor, std::string_view what) {
   return {std::string(token.text), token.span};
 }
 
-// Names separated by commas, up to `}`. The list may be empty where the language allows it.
+// Parses names separated by commas, up to `}`. The list may be empty if `may_be_empty`.
 std::vector<Name> names(Cursor& cursor, std::string_view section, std::string_view what, bool may_be_empty) {
   cursor.expect("{", fmt::format("after '{}'", section));
   std::vector<Name> list;
@@ -127,7 +127,7 @@ void unexpected_after_steps(
     std::string_view next) {
   std::string expected;
   for (const std::string& word : words) expected += fmt::format("'{}', ", word);
-  if (cursor.after_line_end()) cursor.begin_statement();  // report the token, not the end of the line before it
+  if (cursor.after_line_end()) cursor.begin_statement();  // report the token, not the end of the previous line
   if (cursor.is_faulty_here() || (!cursor.at(",") && !cursor.at("*")))
     cursor.unexpected(fmt::format("{}'[' or {}", expected, next), "");
   cursor.error("unexpected-token", fmt::format("unexpected '{}' between the steps of {}", cursor.peek().text, what))

@@ -20,7 +20,7 @@ struct ParameterGroup {
 
 struct FramesHeader {
   Name model;
-  std::optional<std::vector<Name>> frames;  // the list, where there is one
+  std::optional<std::vector<Name>> frames;  // the list, if there is one
   std::vector<ParameterGroup> groups;
   std::vector<std::string> comments;  // before `Model`
 };
@@ -33,18 +33,18 @@ struct AxisStep {
   Span span;
 };
 
-// `Model ID`, the list of frames, groups of parameters. Continues after an error where the next part begins; `stops`
-// are the keywords that begin the part after the header.
+// Parses `Model ID`, the list of frames, and groups of parameters. After an error, continues where the next part
+// begins; `stops` are the keywords that begin the part after the header.
 FramesHeader parse_frames_header(Cursor& cursor, std::initializer_list<std::string_view> stops);
 
-// Steps named `words`: translations along x, y, z first, then rotations.
+// Parses steps. `words` are their names: translations along x, y, z, then rotations.
 std::vector<AxisStep> parse_steps(Cursor& cursor, const std::vector<std::string>& words);
 
-// `[name]`, when it is there.
+// Parses `[name]` if it is there.
 std::optional<Name> parse_user_name(Cursor& cursor);
 
-// The statements of the body: read(cursor) at each, up to the end. After an error, continues where at(cursor) says that
-// a statement begins, or at a line whose first token may begin a faulty one.
+// Parses the statements of the body up to the end, calling read(cursor) at each. After an error, continues where
+// at(cursor) tells that a statement begins, or at a line whose first token may begin a faulty one.
 template <class At, class MayBegin, class Read>
 auto parse_statements(Cursor& cursor, At at, MayBegin may_begin, Read read) {
   std::vector<decltype(read(cursor))> statements;
@@ -61,20 +61,21 @@ auto parse_statements(Cursor& cursor, At at, MayBegin may_begin, Read read) {
   return statements;
 }
 
-// Reports a token that continues neither the steps nor the document. `what`: `a motion`, `next`: `the next motion`.
+// Reports a token that continues neither the steps nor the document. `what` is `a motion`, `next` is `the next motion`,
+// for example.
 [[noreturn]] void unexpected_after_steps(
     Cursor& cursor,
     const std::vector<std::string>& words,
     std::string_view what,
     std::string_view next);
 
-// The canonical text of each part; names that are `keywords` are escaped.
+// Return the canonical text of each part; names that are `keywords` are escaped.
 std::string print_frames_header(const FramesHeader& header, const std::vector<std::string>& keywords);
 std::string print_steps(const std::vector<AxisStep>& steps, const std::vector<std::string>& words);
 std::string print_name(const Name& name, const std::vector<std::string>& keywords);
 std::string print_comments(const std::vector<std::string>& comments, const std::string& indent = "");
 
-// Same content; places may differ.
+// Whether the content is the same; places may differ.
 bool equal(const FramesHeader& a, const FramesHeader& b);
 bool equal(const std::vector<AxisStep>& a, const std::vector<AxisStep>& b);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxNameLength = 255;
 
-// The functions below add the piece of the text that begins at `begin`, or report it, and return where it ends.
+// Each function below adds the piece of text that begins at `begin`, or reports it, and returns where it ends.
 struct Lexing {
   std::string_view text;
   TokenList& list;
@@ -44,7 +44,7 @@ std::size_t add_comment(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// Reported, but a number for those who read on.
+// Reports a malformed number, but adds it as a number so that parsing can continue.
 std::size_t add_bad_number(const Lexing& lexing, Span span, std::string_view what, const std::string& hint) {
   lexing.error("bad-number", span, fmt::format("{} is {}", quote(lexing.piece(span)), what)).hint = hint;
   lexing.push(Token::Kind::number, span, lexing.piece(span));
@@ -81,7 +81,7 @@ std::size_t add_identifier(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// The point of `group.name`.
+// Whether this is the point of `group.name`.
 bool at_member(std::string_view text, std::size_t at) {
   return text[at] == '.' && at > 0 && is_word(text[at - 1]) && is_letter(character(text, at + 1));
 }
@@ -93,7 +93,7 @@ std::size_t add_symbol(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// `"…"` after the word `import`.
+// Whether this is `"…"` after the word `import`.
 bool at_file_name(const Lexing& lexing, std::size_t at) {
   if (lexing.list.tokens.empty()) return false;
   const Token& word = lexing.list.tokens.back();
@@ -116,12 +116,12 @@ std::size_t report_placeholder(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// What was reported of the present line: a character that repeats is reported once.
+// The characters reported on the present line: a repeated character is reported once.
 struct ReportedStrays {
   std::string characters;
-  std::size_t closing_quote = std::string_view::npos;  // of quotes
+  std::size_t closing_quote = std::string_view::npos;  // of a pair of quotes
 
-  // Returns whether it is new.
+  // Returns whether the character is new.
   bool add(char c) {
     const bool is_new = characters.find(c) == std::string::npos;
     characters += c;
@@ -129,7 +129,7 @@ struct ReportedStrays {
   }
 };
 
-// The text between quotes is read as if they were absent.
+// The text between the quotes is read as if there were no quotes.
 std::size_t report_quotes(const Lexing& lexing, std::size_t begin, ReportedStrays& strays) {
   const char quote = lexing.text[begin];
   const bool is_new = strays.add(quote);
@@ -143,7 +143,7 @@ std::size_t report_quotes(const Lexing& lexing, std::size_t begin, ReportedStray
   return end;
 }
 
-// A run of meaningless bytes is one error, and so is a pair of quotes.
+// A run of meaningless bytes, or a pair of quotes, is reported as one error.
 std::size_t report_stray(const Lexing& lexing, std::size_t begin, ReportedStrays& strays) {
   const std::string_view text = lexing.text;
   if (text[begin] == '"' || text[begin] == '\'') return report_quotes(lexing, begin, strays);
@@ -187,7 +187,7 @@ TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostic
     list.cut = true;
   }
   add_pieces(lexing, begin);
-  // Blank lines at the end do not count.
+  // Blank lines at the end are ignored.
   const std::size_t end = lexing.text.find_last_not_of(" \t\r\n") + 1;
   lexing.push(Token::Kind::end, {end, end}, "");
   return list;

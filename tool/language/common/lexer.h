@@ -1,4 +1,4 @@
-// Source text to tokens, for all four languages.
+// Converts source text to tokens, for all four languages.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct Token {
 };
 
 struct Comment {
-  std::string text;  // with its delimiters, without blanks at its end
+  std::string text;  // with its delimiters, without trailing blanks
   Span span;
 };
 
@@ -29,20 +29,20 @@ struct TokenList {
   std::shared_ptr<const Source> source;
   std::vector<Token> tokens;  // the last one is `end`
   std::vector<Comment> comments;
-  std::vector<Span> faults;  // text that was reported here, in order
-  bool cut = false;  // the tokens end before the text does, which has been reported: do not report what is missing
+  std::vector<Span> faults;  // text that the lexer reported, in order
+  bool cut = false;  // the tokens end before the text does, which has been reported: do not report missing tokens
 };
 
-// Reports bytes that belong to no token (a character once per line), malformed numbers (`0x1F`, `1_000`, `1e`, `1d0`,
-// `1.0f`, `O.5`), quotes around a token but after the word `import`, and names that are too long; continues after each.
-// Text that makes the rest meaningless (a comment without an end, a `${…}` of a template, UTF-16) is reported and ends
-// the list.
+// Splits the text into tokens. Reports bytes that belong to no token (a character once per line), malformed numbers
+// (`0x1F`, `1_000`, `1e`, `1d0`, `1.0f`, `O.5`), quotes around a token except after the word `import`, and names that
+// are too long; continues after each. Text that makes the rest meaningless (an unterminated comment, a `${…}` of a
+// template, UTF-16) is reported and ends the list.
 TokenList tokenize(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The value of a number; zero for a number that was reported.
+// Returns the value of a number; zero for a number that was reported.
 Number number_of(const Token& token);
 
-// The text between quotes, shortened when it is too long for a message.
+// Returns the text in quotes, shortened if it is too long for a message.
 std::string quote(std::string_view text);
 
 }  // namespace robcogen::language

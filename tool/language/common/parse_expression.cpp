@@ -53,7 +53,7 @@ class ExpressionParser {
   int depth_ = 0;
   int operations_ = 0;
 
-  // At `2.0 -PI`, alone.
+  // Whether the cursor is at `2.0 -PI` and nothing else.
   bool at_signed_product() const {
     const std::size_t first = cursor_.at("-") ? 1 : 0;
     const Token &number = cursor_.peek(first), &sign = cursor_.peek(first + 1), &name = cursor_.peek(first + 2);
@@ -64,7 +64,7 @@ class ExpressionParser {
         kContinues.begin(), kContinues.end(), [&](const char* symbol) { return cursor_.at(symbol, first + 3); });
   }
 
-  // The sign moves to the number: `-2.0 PI` cannot be read as a difference.
+  // The sign is moved to the number: `-2.0 PI` cannot be read as a difference.
   ExpressionPtr signed_product() {
     const std::size_t begin = cursor_.peek().span.begin;
     const bool negative = cursor_.accept("-");
@@ -97,7 +97,7 @@ class ExpressionParser {
     return left;
   }
 
-  // At `name =`, `name {`, `instance.name =` or `for name in`, which follow an expression.
+  // Whether the cursor is at `name =`, `name {`, `instance.name =` or `for name in`, which end an expression.
   bool begins_item() const {
     if (cursor_.at("=", 1) || cursor_.at("{", 1)) return true;
     return (cursor_.at(".", 1) && cursor_.at_name(2) && cursor_.at("=", 3)) ||
@@ -146,7 +146,8 @@ class ExpressionParser {
     missing_operand();
   }
 
-  // A keyword in the place of a value is skipped, with those after it in `Ix = Iy = Iz = 0.3`: it begins no item.
+  // Reports a missing operand. A keyword in its place is skipped, with those after it in `Ix = Iy = Iz = 0.3`, because
+  // it does not begin an item.
   [[noreturn]] void missing_operand() {
     if (!cursor_.at_keyword() || cursor_.after_line_end() || cursor_.is_faulty_here())
       cursor_.unexpected(
@@ -169,7 +170,7 @@ class ExpressionParser {
     throw SyntaxError{};
   }
 
-  // Its span is that of the expression inside.
+  // The span is that of the expression in the parentheses.
   ExpressionPtr parenthesised() {
     enter(cursor_.take().span);
     ExpressionPtr inner = sum();
@@ -225,7 +226,7 @@ class ExpressionParser {
     throw SyntaxError{};
   }
 
-  // A long chain is a deep tree.
+  // Limits the depth of the tree, which a long chain of operations makes deep.
   void count_operation() {
     if (++operations_ <= kMaxOperations) return;
     cursor_.error("expression-too-long", fmt::format("this expression has more than {} operations", kMaxOperations));

@@ -15,7 +15,7 @@ Number signed_number(Cursor& cursor, std::string_view context) {
   return negative ? -number : number;
 }
 
-// The name, and after the symbol the value.
+// Parses the name, and the value after the symbol.
 Expression constant(Cursor& cursor, std::size_t begin, std::string_view before_value) {
   const Token name = cursor.expect_name("the name of a constant");
   Expression e;
@@ -31,7 +31,7 @@ Expression constant(Cursor& cursor, std::size_t begin, std::string_view before_v
   return e;
 }
 
-// `<name=3.2>` declares, `<name>` uses.
+// `<name=3.2>` declares a constant, `<name>` uses it.
 ExpressionPtr named_constant(Cursor& cursor) {
   const Token open = cursor.take();
   Expression e = constant(cursor, open.span.begin, "=");
@@ -39,7 +39,7 @@ ExpressionPtr named_constant(Cursor& cursor) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// `c:name:1.5` declares, `c:name` uses.
+// `c:name:1.5` declares a constant, `c:name` uses it.
 ExpressionPtr coloned_constant(Cursor& cursor) {
   const std::size_t begin = cursor.take().span.begin;
   cursor.take();  // ':'
@@ -61,7 +61,7 @@ ExpressionPtr coloned_parameter(Cursor& cursor) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// `group.name`; in the group `consts` it is a constant.
+// `group.name`; in the group `consts`, it is a constant.
 ExpressionPtr member(Cursor& cursor) {
   const Token group = cursor.take();
   cursor.take();  // '.'

@@ -1,4 +1,4 @@
-// Values that have a name other than a plain one: the constants and parameters of the grammar in parse_expression.h.
+// Parses named values other than plain names: the constants and parameters of the grammar in parse_expression.h.
 #pragma once
 
 #include "language/common/cursor.h"
@@ -6,11 +6,11 @@
 
 namespace robcogen::language {
 
-// `<name=3.2>`, `<name>`, `c:name:1.5`, `c:name`, `p:name[1.5]`, `group.name[1.5]`; null where none of them begins
-// here. Throws SyntaxError, after reporting it, where one begins and does not go on as it must.
+// Parses `<name=3.2>`, `<name>`, `c:name:1.5`, `c:name`, `p:name[1.5]` or `group.name[1.5]`; returns null if none of
+// them begins here. Reports an error and throws SyntaxError if one begins but does not continue correctly.
 ExpressionPtr parse_named_value(Cursor& cursor);
 
-// Whether `[1.5]` stands here: the default of the parameter, whose span then includes it.
+// Parses `[1.5]`, the default value of the parameter, whose span then includes it. Returns whether there is one.
 bool accept_default(Cursor& cursor, Expression& parameter);
 
 }  // namespace robcogen::language

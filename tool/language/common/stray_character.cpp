@@ -7,7 +7,7 @@
 namespace robcogen::language {
 namespace {
 
-// Nothing but blanks stands before it in its line.
+// Whether only blanks precede the character in its line.
 bool begins_line(std::string_view text, std::size_t at) {
   const std::size_t last = text.substr(0, at).find_last_not_of(" \t");
   return last == std::string_view::npos || text[last] == '\n' || text[last] == '\r';

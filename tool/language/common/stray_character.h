@@ -10,11 +10,11 @@ namespace robcogen::language {
 
 struct StrayCharacter {
   std::string message;
-  std::string hint;             // what to write instead; empty where nobody knows
-  bool begins_comment = false;  // of another language: the rest of the line is not meant as text
+  std::string hint;             // what to write instead; empty if unknown
+  bool begins_comment = false;  // in another language: the rest of the line is not meant as text
 };
 
-// What is wrong with the first character of a run of bytes without meaning.
+// Returns what is wrong with the first character of a run of meaningless bytes.
 StrayCharacter stray_character(std::string_view text, Span run);
 
 }  // namespace robcogen::language

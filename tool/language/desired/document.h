@@ -9,34 +9,34 @@
 
 namespace robcogen::language::desired {
 
-// `foot`, or `leg.foot`: the frame that is called foot in the part, of the instance leg or of each in turn, where leg
-// is the variable of a loop.
+// `foot`, or `leg.foot`: the frame that the part calls `foot`, in the instance `leg`, or in each instance in turn if
+// `leg` is the variable of a loop.
 struct Name {
   std::string text;
   Span span;
-  std::string instance = {};  // or empty
-  Span instance_span = {};    // of its name
-  int loop = kNoLoop;         // the one that it stands in
+  std::string instance = {};  // the instance or loop variable, or empty
+  Span instance_span = {};    // of the name of the instance
+  int loop = kNoLoop;         // index of the enclosing loop
 
   static constexpr int kNoLoop = -1;
 };
 
-// `for variable in { instances } { … }`, once for each instance of a part. Loops do not nest. Those elements of a list
-// that stand one after another with the same loop are its body.
+// `for variable in { instances } { … }`, which repeats its body for each instance of a part. Loops do not nest. The
+// body consists of the adjacent elements of a list that have this loop.
 struct Loop {
   Name variable;
   std::vector<Name> instances;
 };
 
-// `left_X_right`: maps coordinates in `right` to coordinates in `left`. For a Jacobian `left_J_right`: velocity of the
-// origin of `right` with respect to `left`, in coordinates of `left`.
+// `left_X_right` maps coordinates in `right` to coordinates in `left`. For a Jacobian, `left_J_right` gives the
+// velocity of the origin of `right` with respect to `left`, in coordinates of `left`.
 struct Pair {
   Name left;
   Name right;
   Span span;
 };
 
-// A frame that touches what does not move: by a point, or by a surface.
+// A frame in contact with the fixed environment, at a point or over a surface.
 struct Contact {
   Name frame;
   bool is_surface = false;
@@ -45,7 +45,7 @@ struct Contact {
 struct Document {
   std::shared_ptr<const Source> source;
   Name robot;
-  std::vector<Loop> loops;  // in order of the text
+  std::vector<Loop> loops;  // in the order of the text
   std::vector<Name> frames;
   std::vector<Pair> transforms;
   std::vector<Pair> jacobians;
@@ -53,19 +53,19 @@ struct Document {
   std::vector<std::string> comments;
 };
 
-// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// Parses as far as possible and reports every error. The document is valid only if no error was reported; it can be
 // printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text, its comments at the beginning. parse(print(d)) equals d, except for places.
+// Returns the canonical text, with all comments at the beginning. parse(print(d)) equals d, except for places.
 std::string print(const Document& document);
 
-// The loop that a pair or contact stands in, or Name::kNoLoop.
+// Returns the index of the loop that contains the element, or Name::kNoLoop.
 int loop_of(const Name& name);
 int loop_of(const Pair& pair);
 int loop_of(const Contact& contact);
 
-// Same content; places may differ.
+// Whether the content is the same; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::desired

@@ -12,8 +12,8 @@
 namespace robcogen::language::desired {
 namespace {
 
-// Takes the '{' of those around all sections, as around the elements of a robot document, which is an error. Returns
-// whether there is one.
+// Reports and takes a '{' before the sections, as if they were enclosed in braces like the elements of a robot
+// document. Returns whether there is one.
 bool take_outer_brace(Cursor& cursor) {
   const auto next = [&](std::string_view word) { return cursor.at(word, 1); };
   if (!cursor.at("{") || std::none_of(kSections.begin(), kSections.end(), next)) return false;
@@ -23,7 +23,7 @@ bool take_outer_brace(Cursor& cursor) {
   return true;
 }
 
-// Returns whether there are braces around all sections.
+// Returns whether braces enclose the sections.
 bool read_header(Cursor& cursor, Name& robot) {
   try {
     if (!cursor.at_any({"Robot", "Model"}))
@@ -50,7 +50,7 @@ bool read_header(Cursor& cursor, Name& robot) {
   cursor.unexpected("'Frames', 'Transforms', 'Jacobians' or 'Contacts'", "");
 }
 
-// Takes the word that begins a section and adds it to those found. A document has at most one section of a word.
+// Takes the word that begins a section and adds it to those found. A document has at most one section of each kind.
 Token read_section_word(Cursor& cursor, std::vector<Token>& found) {
   Token word = cursor.take();
   if (cursor.at(word.text)) {
@@ -66,7 +66,7 @@ Token read_section_word(Cursor& cursor, std::vector<Token>& found) {
   return word;
 }
 
-// The words that begin sections. Where errors were skipped there may be more.
+// The words that begin sections. If errors were skipped, there may be more.
 struct FoundSections {
   std::vector<Token> words;
   bool may_have_skipped = false;

@@ -7,7 +7,7 @@
 namespace robcogen::language::desired {
 namespace {
 
-// 'left' and 'right' are common names of limbs: in the place of an instance's name, they are not keywords.
+// 'left' and 'right' are common names of limbs: as the name of an instance, they are not keywords.
 bool at_side(const Cursor& cursor) {
   return cursor.at_any({"left", "right"});
 }

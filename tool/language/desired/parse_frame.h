@@ -1,4 +1,4 @@
-// Names of frames and of instances of parts, in the sections of a desired-transforms document.
+// Parses names of frames and of instances of parts, in the sections of a desired-transforms document.
 #pragma once
 
 #include <initializer_list>
@@ -14,13 +14,13 @@ inline const std::initializer_list<std::string_view> kSections = {"Frames", "Tra
 // 'Contacts' is not a reserved word: a frame may have this name.
 bool at_section_word(const Cursor& cursor);
 bool at_section(const Cursor& cursor);
-// At the name of an instance, and its point.
+// Whether the cursor is at the name of an instance, followed by a point.
 bool at_instance(const Cursor& cursor);
 
 Name read_name(Cursor& cursor, std::string_view what);
-// Of a part.
+// Parses the name of an instance of a part.
 Name read_instance(Cursor& cursor);
-// `foot`, or `leg.foot`; `loop` is the one that it stands in.
+// Parses `foot` or `leg.foot`; `loop` is the enclosing loop.
 Name read_frame(Cursor& cursor, int loop, std::string_view what = "the name of a frame");
 
 }  // namespace robcogen::language::desired

@@ -3,7 +3,7 @@
 namespace robcogen::language::desired {
 namespace {
 
-// After an error, the body is read all the same.
+// The body is read even after an error in the list.
 void read_instances(Cursor& cursor, Loop& loop) {
   try {
     do loop.instances.push_back(read_instance(cursor));

@@ -1,4 +1,4 @@
-// Heads of loops over instances of parts: `for leg in { LF, RF } {`.
+// Parses the heads of loops over instances of parts: `for leg in { LF, RF } {`.
 #pragma once
 
 #include <string_view>
@@ -7,16 +7,16 @@
 
 namespace robcogen::language::desired {
 
-// 'for' and 'in' are no reserved words: frames may have these names.
+// 'for' and 'in' are not reserved words: frames may have these names.
 bool at_loop(const Cursor& cursor);
 
-// What stands before the body of a loop.
+// The part of a loop before its body.
 struct LoopHead {
   Loop loop;
-  Token open;  // the brace of the body
+  Token open;  // the opening brace of the body
 };
 
-// `outer` is the loop that it stands in: there must be none. `element` says what the body must contain.
+// Reports an error if there is an enclosing loop `outer`. `element` tells what the body must contain.
 LoopHead read_loop_head(Cursor& cursor, int outer, std::string_view element);
 
 }  // namespace robcogen::language::desired

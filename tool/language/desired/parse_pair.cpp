@@ -12,7 +12,7 @@ bool PairParser::at_pair() const {
          ((cursor_.at_name() || behind == 3) && (cursor_.at("->", behind) || cursor_.at("<-", behind)));
 }
 
-// After an error in a pair that begins a line, the next pair begins one too.
+// After an error in a pair that begins a line, the next pair must begin a line too.
 bool PairParser::at_next_pair() const {
   return at_pair() && cursor_.peek().span.begin > begin_ && (cursor_.begins_line() || !begins_line_);
 }
@@ -44,7 +44,7 @@ void PairParser::sides(Pair& pair) {
   pair.right = left_first ? second : first;
 }
 
-// After an error, the second side in the same line is not a pair of its own.
+// After an error, the second side on the same line is not taken for another pair.
 Name PairParser::first_side() {
   const bool left_first = at_left();
   try {
@@ -68,7 +68,7 @@ void PairParser::wrong_second_side(bool left_first) {
   }
 }
 
-// A missing '=' is reported once in a pair.
+// A missing '=' is reported once per pair.
 Name PairParser::side() {
   const Token word = cursor_.take();
   try {
@@ -79,7 +79,7 @@ Name PairParser::side() {
   } catch (const SyntaxError&) {
     equals_is_reported_ = true;
     cursor_.accept(":");
-    if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // else only the '=' is missing
+    if (!cursor_.at_name() || cursor_.after_line_end()) throw;  // otherwise only the '=' is missing
   }
   return read_frame(cursor_, loop_);
 }

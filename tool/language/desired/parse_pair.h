@@ -1,4 +1,4 @@
-// A pair of frames of `Transforms` or `Jacobians`: `base = A, target = B`, `A <- B` or `A -> B`.
+// Parses a pair of frames in `Transforms` or `Jacobians`: `base = A, target = B`, `A <- B` or `A -> B`.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace robcogen::language::desired {
 
-// From where the pair begins on; `loop` is the one that it stands in.
+// Parses the pair that begins at the cursor; `loop` is the enclosing loop.
 class PairParser {
  public:
   PairParser(Cursor& cursor, int loop)
       : cursor_(cursor), loop_(loop), begin_(cursor.peek().span.begin), begins_line_(cursor.begins_line()) {}
 
   Pair read();
-  // After an error: to the next pair, or to the end of the block that was open with so many others.
+  // After an error, skips to the next pair, or to the end of the block in which this many blocks are open.
   void skip_to_next(std::size_t open_blocks);
 
  private:

@@ -10,13 +10,13 @@
 namespace robcogen::language::desired {
 namespace {
 
-// A section whose end is to be found.
+// A section that is being parsed.
 struct Section {
   Cursor& cursor;
   std::string_view word;
   Document& document;
 
-  // Of the section, or of a loop in it.
+  // Reports the missing closing brace of the section, or of a loop in it.
   [[noreturn]] void report_missing_brace(const Token& open) const {
     cursor
         .error(
@@ -25,7 +25,7 @@ struct Section {
     throw SyntaxError{};
   }
 
-  // Reads a loop up to its body. Returns the brace of the body.
+  // Parses a loop up to its body. Returns the opening brace of the body.
   Token add_loop(int outer, std::string_view element) const {
     LoopHead head = read_loop_head(cursor, outer, element);
     document.loops.push_back(std::move(head.loop));
@@ -34,7 +34,7 @@ struct Section {
   int last_loop() const { return static_cast<int>(document.loops.size()) - 1; }
 };
 
-// Up to the end of the section, or of the loop. Calls element(loop) at each element.
+// Parses elements up to the end of the section or loop, calling element(loop) at each.
 template <class Element>
 void read_list(const Section& section, const Token& open, int loop, const Element& element) {
   Cursor& cursor = section.cursor;
@@ -53,7 +53,7 @@ void read_list(const Section& section, const Token& open, int loop, const Elemen
   cursor.take();
 }
 
-// `fr_foot`, `point fr_foot`, `surface fr_sole`.
+// Parses `fr_foot`, `point fr_foot` or `surface fr_sole`.
 Contact read_contact(Cursor& cursor, int loop) {
   const bool has_kind =
       cursor.at_any({"point", "surface"}) && (cursor.at_name(1) || cursor.at("left", 1) || cursor.at("right", 1));
@@ -61,7 +61,7 @@ Contact read_contact(Cursor& cursor, int loop) {
   return {read_frame(cursor, loop), is_surface};
 }
 
-// As read_list.
+// Parses pairs, like read_list.
 void read_pairs(const Section& section, const Token& open, int loop, std::vector<Pair>& pairs) {
   Cursor& cursor = section.cursor;
   const std::size_t inside = cursor.open_blocks();

@@ -13,7 +13,7 @@ std::string name(const Name& n) {
   return name(n.text);
 }
 
-// Here these two keywords are names.
+// As the name of an instance, these two keywords are not escaped.
 std::string instance(const std::string& text) {
   return text == "left" || text == "right" ? text : name(text);
 }
@@ -28,8 +28,8 @@ std::string head(const Loop& loop) {
   return "    for " + name(loop.variable) + " in { " + instances + " } {\n";
 }
 
-// The elements of a section, a line each, those of loops in their blocks. `end` separates elements, and stands behind
-// the block of a loop too.
+// Returns the elements of a section, one per line; those of loops are in blocks. `end` separates elements, and also
+// follows the block of a loop.
 template <class T, class Line>
 std::string lines(const std::vector<T>& list, const std::vector<Loop>& loops, const std::string& end, Line line) {
   std::string out;

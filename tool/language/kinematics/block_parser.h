@@ -1,4 +1,4 @@
-// Blocks of items in braces, as the parser of robot documents reads them: order, repetitions, missing items and braces.
+// Parses blocks of items in braces in robot documents, with their order, repetitions, and missing items and braces.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,29 +20,30 @@ using WordList = std::initializer_list<std::string_view>;
 // The words that begin the items of one block, in the order of the text.
 using Words = std::vector<Token>;
 
-// `'a', 'b'`
+// Returns `'a', 'b'`.
 std::string quoted(WordList words);
 
 // The words that begin the elements of a robot.
 inline const WordList kElements = {"RobotBase", "link", "r_joint", "p_joint"};
-// Words that the first RobCoGen does not know: names, but for where an element begins.
+// Words that the first RobCoGen does not know. They are names, except where an element begins.
 inline const WordList kNewElements = {"h_joint", "c_joint", "u_joint", "planar_joint", "s_joint"};
 
-// After an error in an item, the parser skips to the next item of the block or to its end. When the braces do not
-// match, it skips to the next element: the keyword of an element cannot stand anywhere else.
+// After an error in an item, the parser skips to the next item of the block or to its end. If the braces do not match,
+// it skips to the next element, because the keyword of an element cannot stand anywhere else.
 class BlockParser {
  public:
   explicit BlockParser(Cursor cursor) : cursor_(std::move(cursor)) {}
 
   Cursor& cursor() { return cursor_; }
 
-  // At the keyword of an element: alone it may be used as a name by mistake.
+  // Whether the cursor is at the keyword of an element, followed by a name: a keyword alone may be used as a name by
+  // mistake.
   bool at_element() const;
-  // At a word of kNewElements that begins one.
+  // Whether the cursor is at a word of kNewElements that begins an element.
   bool at_new_element() const;
 
-  // `{`, items, `}`. An item begins at a token that at_item knows; otherwise item() reports it. `outer` are the words
-  // that begin an item of the enclosing block. Returns whether there was no error.
+  // Parses `{`, items, `}`. An item begins at a token that at_item accepts; otherwise item() reports it. `outer` are
+  // the words that begin an item of the enclosing block. Returns whether there was no error.
   template <class AtItem, class Item>
   bool block(const std::string& owner, AtItem at_item, Item item, WordList outer = {}) {
     bool sound = true;
@@ -100,22 +101,22 @@ class BlockParser {
         owner, [&] { return cursor_.at_any(words); }, item, outer);
   }
 
-  // Takes the word that begins an item. A block has at most one item of a name.
+  // Takes the word that begins an item. A block has at most one item with each word.
   Token word(Words& found);
-  // Reports at the owner the words that were not found. Returns whether all were.
+  // Reports the words that were not found, at the owner. Returns whether all were found.
   bool check_complete(const std::string& owner, Span span, const Words& found, WordList words);
   [[noreturn]] void unknown_item(const std::string& owner, WordList words);
   [[noreturn]] void old_dialect(const std::string& sign);
 
   Name name(std::string_view what);
   void equals(const Token& key);
-  // An id: not negative.
+  // Parses an id, which must not be negative.
   int integer(const Token& key);
   ExpressionPtr scalar();
-  // The `(a, b)` of an item, of so many components.
+  // Parses the `(a, b)` of an item, with this number of components.
   std::vector<ExpressionPtr> components(const Token& key, std::size_t count);
   Vector vector(const Token& key);
-  // `{ translation = (…) rotation = (…) }`; nullopt when something in it was reported.
+  // Parses `{ translation = (…) rotation = (…) }`; nullopt if an error in it was reported.
   std::optional<Placement> placement(const std::string& owner, Span owner_span);
 
  protected:

@@ -34,8 +34,8 @@ struct Frame {
   Placement placement;
 };
 
-// Moments are about the origin of the link frame (or of `reference`). ixy is the integral of x y dm, with positive
-// sign.
+// Moments are about the origin of the link frame, or of `reference`. Products have positive sign: ixy is the integral
+// of x y dm.
 struct Inertia {
   ExpressionPtr mass;
   Vector com;
@@ -54,10 +54,10 @@ struct Argument {
   ExpressionPtr value;
 };
 
-// The mirror image in a plane through the origin, normal to an axis.
+// A reflection in the plane through the origin that is normal to an axis.
 struct Mirror {
   int axis = 0;  // 0 x, 1 y, 2 z
-  // Joints turn in the same sense about their reflected axes: all of them, or those listed.
+  // Joints turn in the same sense about their reflected axes: all joints, or those listed.
   bool same_sense = false;
   std::vector<Name> joints;
   Span span;
@@ -68,9 +68,9 @@ struct Instance {
   Name part;
   Name name;  // the prefix of all names in it
   std::vector<Argument> arguments;
-  std::optional<Placement> placement;  // in the frame of the link; the identity where none is given
+  std::optional<Placement> placement;  // in the frame of the link; absent: the identity
   std::optional<Mirror> mirror;
-  std::optional<Span> keep;  // `keep base`: the base of a robot remains a link of its own
+  std::optional<Span> keep;  // `keep base`: the base of a robot remains a separate link
 };
 
 // The base has no `id`; a link has no `floating`.
@@ -82,13 +82,13 @@ struct Link {
   Span id_span;
   std::optional<Inertia> inertia;
   std::vector<Child> children;
-  std::vector<Instance> instances;  // attached to it, after `children`
+  std::vector<Instance> instances;  // attached to the link, after `children`
   std::vector<Frame> frames;
-  std::vector<std::string> comments;  // before this element and in it, in order, with their delimiters
+  std::vector<std::string> comments;  // before and within this element, in order, with their delimiters
   Span span;
 };
 
-// Forces that a joint meets in itself, as far as they are given.
+// Forces within a joint. Values that are not given are null.
 struct Drive {
   ExpressionPtr damping;            // N m s/rad, N s/m
   ExpressionPtr friction;           // N m, N
@@ -98,31 +98,32 @@ struct Drive {
   ExpressionPtr rest;               // only with `stiffness`; rad, m
 };
 
-// The rotor of a motor behind a gear. Axis and carrier are those of the joint and its parent link where none is given.
+// The rotor of a motor behind a gear. By default it has the joint axis, and the parent link of the joint as its
+// carrier.
 struct Rotor {
   ExpressionPtr inertia;  // kg m^2, about its axis
-  ExpressionPtr ratio;    // of its velocity to that of the joint: rad/rad, rad/m
+  ExpressionPtr ratio;    // rotor velocity over joint velocity: rad/rad, rad/m
   std::optional<Vector> axis;
   std::optional<Name> carrier;  // a link
-  Span span;                    // of the word
+  Span span;                    // of the keyword
 };
 
-// As far as they are given: constants.
+// Limits of a joint, which must be constants. Values that are not given are absent.
 struct Limits {
   std::optional<std::array<ExpressionPtr, 2>> position;  // lower and upper; rad, m
   ExpressionPtr velocity;                                // rad/s, m/s
   ExpressionPtr effort;                                  // N m, N
 };
 
-// What a joint, or one of its coordinates, says of what drives and limits it.
+// The drive and the limits of a joint, or of one of its coordinates.
 struct DriveAndLimits {
   Drive drive;
   std::optional<Rotor> rotor;
   Limits limits;
-  ExpressionPtr assembled;  // its position where the loops that it is part of are assembled: rad, m
+  ExpressionPtr assembled;  // position in which its loops are assembled: rad, m
 };
 
-// What a joint of several coordinates says of one of them.
+// The drive and the limits of one coordinate of a joint with several.
 struct Coordinate : DriveAndLimits {
   Name word;  // `turn`
 };
@@ -134,52 +135,52 @@ struct Joint : DriveAndLimits {
   std::optional<int> id;
   Placement placement;
   ExpressionPtr pitch;                  // of a helical joint: m/rad
-  std::vector<Coordinate> coordinates;  // those of which something is said, in the order of coordinate_words
+  std::vector<Coordinate> coordinates;  // those that have a block, in the order of coordinate_words
   std::vector<std::string> comments;
   Span span;
 };
 
-// The word that begins a joint of this type.
+// Returns the word that begins a joint of this type.
 std::string_view word_of(Joint::Type type);
-// The words that begin what a joint of several coordinates says of them; of other types none.
+// Returns the words that begin the blocks of the coordinates; empty for types with one coordinate.
 std::span<const std::string_view> coordinate_words(Joint::Type type);
 
-// `joint = value`, linear in other joints. Where `instance` is given, the joint is that of this instance of a part, or
-// of each in turn, where it is the variable of a loop: `leg.knee = 2.0 leg.ankle`.
+// `joint = value`, linear in other joints. If `instance` is given, the joint belongs to this instance of a part, or to
+// each instance in turn if it is the variable of a loop: `leg.knee = 2.0 leg.ankle`.
 struct Coupling {
   Name joint;
   ExpressionPtr value;
-  std::string instance = {};  // or empty
-  int loop = kNoLoop;         // the one that it stands in
+  std::string instance = {};  // the instance or loop variable, or empty
+  int loop = kNoLoop;         // index of the enclosing loop
 
   static constexpr int kNoLoop = -1;
 };
 
-// `for variable in { instances } { … }`, once for each instance. Couplings that stand one after another with the same
-// loop are its body.
+// `for variable in { instances } { … }`, which repeats its body for each instance. The body consists of the adjacent
+// couplings that have this loop.
 struct Loop {
   Name variable;
   std::vector<Name> instances;
 };
 
-// Between two frames whose links are connected by joints already: it closes a loop.
+// A joint that closes a loop: it connects two frames whose links are already connected by joints.
 struct LoopJoint {
   Name name;
   std::array<Name, 2> frames;
-  Name type;               // one of kLoopTypes; without text where there is a distance
-  ExpressionPtr distance;  // m; or none
-  Name branch;             // one of kLoopBranches; or without text
+  Name type;               // one of kLoopTypes; empty text if there is a distance
+  ExpressionPtr distance;  // m; or null
+  Name branch;             // one of kLoopBranches; or empty text
 };
 
-// A linear actuator between two frames, which it pushes apart.
+// A linear actuator between two frames. A positive force pushes them apart.
 struct Actuator {
   Name name;
   std::array<Name, 2> frames;
 };
 
-// The words of types.
+// The words for the types of loops.
 inline const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
-// How a loop is assembled: as it is drawn, or the other way.
+// How a loop is assembled: as it is drawn, or on the other branch.
 inline const std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
 
 // The elements of a robot or of a part.
@@ -188,36 +189,36 @@ struct Body {
   std::vector<Joint> joints;                   // in declaration order
   std::vector<Coupling> couplings;             // of all blocks, in order
   std::vector<Loop> loops;                     // of couplings, in order
-  std::vector<std::string> coupling_comments;  // before these blocks and in them
+  std::vector<std::string> coupling_comments;  // before and within these blocks
   std::vector<LoopJoint> loop_joints;          // of all blocks, in order
-  std::vector<Name> independents;              // joints that are to be coordinates
+  std::vector<Name> independents;              // joints that are to be independent
   std::vector<Actuator> actuators;             // of all blocks, in order
-  std::vector<std::string> loop_comments;      // before the blocks of these three and in them
+  std::vector<std::string> loop_comments;      // before and within the blocks of these three
   std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
 };
 
 struct PartParameter {
   Name name;
-  ExpressionPtr default_value;  // or none
+  ExpressionPtr default_value;  // or null
 };
 
-// A limb that is described once: no base, and links without ids.
+// A limb that is described once. It has no base, and its links need no ids.
 struct Part : Body {
   Name name;
   std::vector<PartParameter> parameters;
-  std::vector<Child> roots;           // joints that carry it, and their links
+  std::vector<Child> roots;           // joints that carry the part, and their links
   std::vector<std::string> comments;  // before `Part`
 };
 
-// `import "file" as name`: the parts of another document, and its robot as a part.
+// `import "file" as name`: imports the parts of another document, and its robot as a part.
 struct Import {
   std::string file;
-  std::optional<Name> name;  // for the robot, in place of its own
+  std::optional<Name> name;  // for the robot, instead of its own name
   std::vector<std::string> comments;
-  Span span;  // of the file, with its quotes
+  Span span;  // of the file name, with its quotes
 };
 
-// What an instance of a part has become in a plain document: its elements, each with its name in the part.
+// The elements that an instance of a part has become in a plain document, each with its name in the part.
 struct Limb {
   struct Element {
     std::string own;
@@ -233,21 +234,21 @@ struct Document : Body {
   std::shared_ptr<const Source> source;
   std::vector<Import> imports;
   std::vector<Part> parts;
-  Name robot;                         // without text in a document of parts only
+  Name robot;                         // empty text in a document that only has parts
   std::vector<std::string> comments;  // before `Robot`
-  std::vector<Limb> limbs = {};       // of a plain document that was made from one with parts
+  std::vector<Limb> limbs = {};       // of a plain document that was expanded from one with parts
 
   bool has_robot() const { return !robot.text.empty(); }
 };
 
-// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// Parses as far as possible and reports every error. The document is valid only if no error was reported; it can be
 // printed in any case.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
+// Returns the canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content; places may differ.
+// Whether the content is the same; places may differ.
 bool equal(const Document& a, const Document& b);
 
 Document without_comments(Document document);

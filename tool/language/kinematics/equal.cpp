@@ -1,4 +1,4 @@
-// Documents that say the same.
+// Compares the content of documents.
 #include <algorithm>
 
 #include "language/kinematics/document.h"

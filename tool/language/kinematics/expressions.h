@@ -1,6 +1,6 @@
-// Every expression of the elements of a robot, for phases that rewrite or collect them: one list of what an element
-// holds. The visitor is called with `ExpressionPtr&`, or with `const ExpressionPtr&` in a constant element, in the
-// order of the canonical text; never with an absent one.
+// Visits every expression in the elements of a robot, for phases that rewrite or collect expressions: the only list of
+// the expressions in an element. The visitor is called with `ExpressionPtr&`, or with `const ExpressionPtr&` in a
+// constant element, in the order of the canonical text, and never with an absent expression.
 #pragma once
 
 #include "language/kinematics/document.h"
@@ -33,7 +33,7 @@ void visit_link(LinkType& link, Visit visit) {
   }
 }
 
-// `Owner`: DriveAndLimits, constant or not.
+// `Owner` is DriveAndLimits, constant or not.
 template <class Owner, class Visit>
 void visit_drive_and_limits(Owner& owner, Visit visit) {
   const auto visit_given = [&](auto& e) {

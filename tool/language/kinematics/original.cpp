@@ -7,14 +7,14 @@ namespace {
 
 using Kind = Expression::Kind;
 
-// PI or a parameter, with or without a sign.
+// Whether this is PI or a parameter, with or without a sign.
 bool is_plain_name(const Expression& e) {
   if (e.kind == Kind::negate) return is_plain_name(*e.left);
   const bool is_qualified = !e.group.empty() || e.is_parameter || e.default_value;
   return e.kind == Kind::pi || (e.kind == Kind::name && !is_qualified);
 }
 
-// A number, a name, a number times a name, or a name by a number.
+// Whether this is a number, a name, a number times a name, or a name divided by a number.
 bool is_plain(const Expression& e) {
   if (e.kind == Kind::number || is_plain_name(e)) return true;
   if (e.kind == Kind::negate) return is_plain(*e.left);

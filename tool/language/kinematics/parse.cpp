@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kCouplings = "couplings";
 
-// Elements stand in the block of the robot, items in the block of an element, both in any order.
+// Parses a robot document: elements in the block of the robot, and items in the block of an element, both in any order.
 class Parser : private BlockParser {
  public:
   Parser(std::shared_ptr<const Source> source, Diagnostics& diagnostics)
@@ -49,9 +49,9 @@ class Parser : private BlockParser {
   std::size_t errors_before_;
   const Diagnostics& diagnostics_;
   Document document_;
-  Body* body_ = &document_;     // of the robot, or of the present part
-  const Part* part_ = nullptr;  // the present one
-  std::vector<Name> bases_;     // including those with errors
+  Body* body_ = &document_;     // the robot, or the part being parsed
+  const Part* part_ = nullptr;  // the part being parsed, or nullptr
+  std::vector<Name> bases_;     // including bases with errors
   bool may_have_skipped_base_ = false;
 
   // -------------------------------------------------------------------------------------------------------------------
@@ -74,7 +74,7 @@ class Parser : private BlockParser {
 
   bool at_robot() const { return cursor_.at("Robot") && cursor_.at("{", 2); }
 
-  // Imports and parts alone, for other documents.
+  // Whether the document has only imports and parts, for use by other documents.
   bool is_library() {
     if (!cursor_.at_end() || (document_.imports.empty() && document_.parts.empty())) return false;
     document_.trailing_comments = cursor_.comments_before(source_->text().size() + 1);
@@ -147,7 +147,7 @@ class Parser : private BlockParser {
     }
   }
 
-  // Not a keyword: elements may have this name.
+  // `couplings` is not a keyword: elements may have this name.
   bool at_couplings() const { return cursor_.at(kCouplings) && cursor_.at("{", 1); }
 
   void unknown_element() {
@@ -169,8 +169,8 @@ class Parser : private BlockParser {
     cursor_.accept("}");
   }
 
-  // When elements follow the brace that ends the robot, there is one brace too many before it: they are read too. After
-  // other errors this is not reported: they may be about a brace.
+  // If elements follow the brace that ends the robot, there is one brace too many before it; these elements are read
+  // too. This is not reported after other errors, which may be about a brace.
   void end() {
     if (cursor_.at_end() && cursor_.open_blocks() == 0) return;  // there was an error in the header
     const Token brace = cursor_.expect("}", "at the end of the robot");

@@ -28,7 +28,7 @@ class CouplingParser {
 
   bool at_instance() const { return cursor_.at_name() && cursor_.at(".", 1) && cursor_.at_name(2); }
   bool at_coupling() const { return cursor_.at_name() && cursor_.at("=", at_instance() ? 3 : 1); }
-  // 'for' and 'in' are no keywords: joints may have these names.
+  // 'for' and 'in' are not keywords: joints may have these names.
   bool at_loop() const { return cursor_.at("for") && cursor_.at_name(1) && cursor_.at("in", 2); }
 
   void coupling(int loop) {

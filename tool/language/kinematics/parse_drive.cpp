@@ -8,7 +8,7 @@ const WordList kSpringItems = {"stiffness", "rest"};
 const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
 
-// The block of two values of which only the first must stand.
+// Parses a block of two values, of which only the first is mandatory.
 bool pair(
     BlockParser& parser,
     const std::string& owner,

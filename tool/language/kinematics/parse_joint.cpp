@@ -96,7 +96,7 @@ class JointParser {
   Cursor& cursor_;
   Body& body_;
 
-  // Drive and limits of one of several coordinates.
+  // Parses the drive and the limits of one coordinate.
   bool coordinate(const std::string& joint_owner, const Token& key, Joint& joint) {
     Coordinate read;
     read.word = {std::string(key.text), key.span};

@@ -83,7 +83,7 @@ class LinkParser {
         kLinkItems);
   }
 
-  // One block, or several in a row; blocks may be empty.
+  // Parses one block, or several in a row; blocks may be empty.
   void frames(Link& link) {
     do {
       parser_.block(
@@ -97,7 +97,7 @@ class LinkParser {
     } while (cursor_.at("{"));
   }
 
-  // nullopt when something in it was reported.
+  // Returns nullopt if an error in it was reported.
   std::optional<Inertia> inertia(const Token& keyword, const std::string& link) {
     Inertia inertia;
     const std::string owner = fmt::format("the inertia of {}", link);

@@ -1,11 +1,11 @@
-// The elements `link` and `RobotBase` of robots and parts.
+// Parses the elements `link` and `RobotBase` of robots and parts.
 #pragma once
 
 #include "language/kinematics/block_parser.h"
 
 namespace robcogen::language::kinematics {
 
-// From its keyword on. Adds the link to the body. `part`, or null: whose link this is.
+// Parses a link from its keyword on, and adds it to the body. `part` is the part to which the link belongs, or null.
 void link(BlockParser& parser, Body& body, const Part* part);
 
 }  // namespace robcogen::language::kinematics

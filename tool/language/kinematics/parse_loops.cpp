@@ -94,7 +94,7 @@ void actuator(BlockParser& parser, Body& body) {
     body.actuators.push_back(std::move(actuator));
 }
 
-// A block of elements that have a name and a block each.
+// Parses a block of elements, each of which has a name and a block.
 template <class Element>
 void named_blocks(BlockParser& parser, Body& body, Element element) {
   Cursor& cursor = parser.cursor();

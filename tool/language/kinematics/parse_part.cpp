@@ -5,7 +5,7 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-// `( item, item )`, where the list stands.
+// Parses `( item, item )` if there is such a list.
 template <class Item>
 void list(Cursor& cursor, const std::string& owner, Item item) {
   if (!cursor.accept("(")) return;

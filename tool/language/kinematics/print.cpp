@@ -82,7 +82,7 @@ std::string link(const Link& l) {
   return out + "    }\n";
 }
 
-// ` word = value`, or nothing.
+// Returns ` word = value`, or an empty string if there is no value.
 std::string item(const std::string& word, const ExpressionPtr& value) {
   return value ? " " + word + " = " + language::print(*value) : "";
 }

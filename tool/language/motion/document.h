@@ -17,7 +17,8 @@ struct Motion {
   Span span;
 };
 
-// local: each step is about the axes of the frame reached so far. fixed: axes stay parallel to the initial frame.
+// local: each step refers to the axes of the frame reached so far. fixed: the axes stay parallel to those of the
+// initial frame.
 enum class Convention { local, fixed };
 
 struct Document {
@@ -29,18 +30,18 @@ struct Document {
   std::vector<std::string> trailing_comments;
 };
 
-// Reserved words, and the steps among them: translations along x, y, z, then rotations.
+// Reserved words; and the names of the steps among them: translations along x, y, z, then rotations.
 const std::vector<std::string>& keywords();
 const std::vector<std::string>& step_words();
 
-// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// Parses as far as possible and reports every error. The document is valid only if no error was reported; it can be
 // printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
+// Returns the canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content; places may differ.
+// Whether the content is the same; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::motion

@@ -10,7 +10,7 @@ bool at_motion(const Cursor& cursor) {
   return cursor.at_name() && cursor.at("->", 1);
 }
 
-// At a motion, the line is missing; another word may be its misspelt keyword.
+// If the cursor is at a motion, the line is missing; another word may be a misspelt keyword of it.
 [[noreturn]] void report_missing_convention(Cursor& cursor) {
   if (!at_motion(cursor)) cursor.unexpected("'Frames', 'Params' or 'Convention'", "in the header");
   cursor

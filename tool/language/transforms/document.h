@@ -1,4 +1,4 @@
-// A Transforms-DSL document (.ctdsl) as written: coordinate transforms as products of primitive ones.
+// A Transforms-DSL document (.ctdsl) as written: coordinate transforms as products of primitive transforms.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,8 @@
 
 namespace robcogen::language::transforms {
 
-// `{left}_X_{right} = primitives`: maps coordinates in `right` to coordinates in `left`. No primitives: the identity.
+// `{left}_X_{right} = primitives` maps coordinates in `right` to coordinates in `left`. Without primitives, it is the
+// identity.
 struct Transform {
   Name left;
   Name right;
@@ -17,8 +18,8 @@ struct Transform {
   Span span;
 };
 
-// Which frame a primitive moves: right: Rx(a) maps coordinates of the frame rotated by +a to the original frame; left:
-// the inverse.
+// Which frame a primitive moves. right: Rx(a) maps coordinates in the frame rotated by +a to coordinates in the
+// original frame; left: the inverse.
 enum class MovedFramePosition { left, right };
 
 struct Document {
@@ -30,18 +31,18 @@ struct Document {
   std::vector<std::string> trailing_comments;
 };
 
-// Reserved words, and the primitives among them: translations along x, y, z, then rotations.
+// Reserved words; and the names of the primitives among them: translations along x, y, z, then rotations.
 const std::vector<std::string>& keywords();
 const std::vector<std::string>& primitive_words();
 
-// Reads as far as possible and reports every error. The document is valid only when no error was reported; it can be
+// Parses as far as possible and reports every error. The document is valid only if no error was reported; it can be
 // printed in any case. Does not check what the names refer to.
 Document parse(std::shared_ptr<const Source> source, Diagnostics& diagnostics);
 
-// The canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
+// Returns the canonical text. parse(print(d)) equals d, except for places; print(parse(print(d))) == print(d).
 std::string print(const Document& document);
 
-// Same content; places may differ.
+// Whether the content is the same; places may differ.
 bool equal(const Document& a, const Document& b);
 
 }  // namespace robcogen::language::transforms

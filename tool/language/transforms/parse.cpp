@@ -10,7 +10,7 @@ bool at_transform(const Cursor& cursor) {
   return cursor.at("{") && cursor.at("}", 2) && cursor.at("_X_", 3);
 }
 
-// At a transform, the line is missing; another word may be its misspelt keyword.
+// If the cursor is at a transform, the line is missing; another word may be a misspelt keyword of it.
 [[noreturn]] void report_missing_position(Cursor& cursor) {
   if (!at_transform(cursor))
     cursor.unexpected("'Frames', 'Params', 'MovedFramePos' or 'TransformedFramePos'", "in the header");

@@ -13,7 +13,7 @@ bool same(const Transform& a, const Transform& b) {
 
 }  // namespace
 
-// `TransformedFramePos` is the word that the first RobCoGen reads.
+// Prints `TransformedFramePos`, because the first RobCoGen reads only this word.
 std::string print(const Document& d) {
   std::string out = print_frames_header(d.header, keywords());
   out += print_comments(d.position_comments);

@@ -18,7 +18,7 @@ using Tuple = std::vector<symbolic::Operand>;
 
 class Correspondence {
  public:
-  // `classes`: by class of limbs, its inputs. `inner`: sums that are part of the one sum that reads them.
+  // `classes`: the inputs of each class of limbs. `inner`: the sums that are part of the only sum that reads them.
   Correspondence(
       const symbolic::Program& program,
       const std::vector<InputTuples>& classes,
@@ -39,11 +39,11 @@ class Correspondence {
   std::vector<Tuple> match(std::vector<std::vector<symbolic::Operand>>& lists) const;
 
  private:
-  // How similar two operands must be: equal but for limb, signs and numbers; the same, where any two values that belong
-  // to no limb count as equal; operands of the same kind.
+  // How similar two operands must be. equal: the same except for limb, signs and numbers; similar: the same, but any
+  // two values that belong to no limb count as equal; kind: operands of the same kind.
   enum class Likeness { equal, similar, kind };
   std::uint64_t hash(const symbolic::Operand& o, Likeness likeness) const;
-  // The limbs that a value depends on, a bit each; none where it depends on all limbs of a class.
+  // The limbs that a value depends on, a bit for each; none if it depends on all limbs of a class.
   std::uint64_t limbs(const symbolic::Operand& o) const;
   void hash_statement(std::size_t i);
 
@@ -55,13 +55,13 @@ class Correspondence {
   std::vector<bool> input_is_number_;
   std::vector<std::uint64_t> limbs_;                        // by statement
   std::vector<std::uint64_t> equal_, similar_;              // by statement
-  std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of sums: of their terms, in any order
+  std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of the terms of sums, in any order
 };
 
-// Which sums stand inside the only statement that reads them, a sum of the same width.
+// Which sums are read by one statement only, which is a sum of the same width.
 std::vector<bool> inner_sums(const symbolic::Program& program);
 
-// Makes `terms` those of a sum, the terms of its inner sums included.
+// Sets `terms` to the terms of a sum, including those of its inner sums.
 void terms_of(
     const symbolic::Program& program,
     const std::vector<bool>& inner,

@@ -148,7 +148,7 @@ Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
   return sum({a, b});
 }
 
-// Constants of the limbs, which meet where their sums are split into terms, become one term.
+// Adds up constants of the limbs, which meet when their sums are split into terms, to one term.
 void LaneBuilder::fold_constants(std::vector<Operand>& terms) {
   using symbolic::is_constant;
   const auto first = std::find_if(terms.begin(), terms.end(), is_constant);
@@ -169,8 +169,8 @@ Operand LaneBuilder::sum(std::vector<Operand> terms) {
   const auto start = [&](const Operand& o) { return is_product(o) ? ready(o) - symbolic::kLatency : ready(o); };
   std::stable_sort(terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return start(a) < start(b); });
   const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
-  // The sum over the limbs is known last. Where products can be added up before it, it does not wait for them, at the
-  // cost of one addition that is not fused.
+  // The sum over the limbs is known last. If products can be added up before it is known, the chain starts with them,
+  // at the cost of one addition that is not fused.
   const bool is_awaited = first != terms.end() && is_sum_of_lanes(*first) && first - terms.begin() >= 2 &&
                           start(first[-1]) + 2 * symbolic::kLatency <= ready(*first);
   if (first != terms.end() && !is_awaited) std::rotate(terms.begin(), first, first + 1);
@@ -230,7 +230,7 @@ void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
   s.described = described && !named;
 }
 
-// Statements that move numbers into lanes go to their first user.
+// Moves statements that bring numbers into lanes to their first user.
 void LaneBuilder::settle_late() {
   std::vector<int> user(made_.size(), -1);
   const auto note = [&](const Operand& o, int reader) {
@@ -249,7 +249,7 @@ void LaneBuilder::settle_late() {
   }
 }
 
-// By places, operands first.
+// The order of the statements: by place, operands before users.
 std::vector<int> LaneBuilder::order() const {
   std::vector<std::vector<int>> readers(made_.size());
   std::vector<int> missing(made_.size(), 0);

@@ -16,13 +16,13 @@ class LaneBuilder {
   // Inputs, constants, names and sections are those of `old`.
   explicit LaneBuilder(const symbolic::Program& old);
 
-  // The next statements stand for these statements of the old program (none: for the one at `place`), and come after
-  // all statements that stand for an earlier place.
+  // The next statements replace these statements of the old program (if there are none, the one at `place`), and come
+  // after all statements that replace those at an earlier place.
   void begin(const Tuple& lanes, int place);
 
   int width(const symbolic::Operand& o) const;
   symbolic::Operand constant(const symbolic::Constant& value);  // not negative
-  // Numbers in the lanes, some of them negated; a scalar where they are equal in all lanes.
+  // A value with these numbers in its lanes, some of them negated; a scalar if they are equal in all lanes.
   symbolic::Operand numbers(const Tuple& lanes, unsigned flips);
   symbolic::Operand gather(Tuple lanes);
   symbolic::Operand product(symbolic::Operand a, symbolic::Operand b);
@@ -33,13 +33,13 @@ class LaneBuilder {
   // available, so that each addition can be fused with a product; unless that first term is a sum over lanes that is
   // known only after several of the products.
   symbolic::Operand sum(std::vector<symbolic::Operand> terms);
-  // Also of a scalar, which then counts `width` times.
+  // The sum of the lanes of `a`; a scalar counts `width` times.
   symbolic::Operand sum_lanes(const symbolic::Operand& a, int width);
 
   // Gives the value the name that these statements have in common.
   void name(const symbolic::Operand& value, const Tuple& lanes);
 
-  // Statements in the order of their places; a statement that moves numbers into lanes stands next to its first use.
+  // Statements in the order of their places; a statement that brings numbers into lanes stands next to its first use.
   symbolic::Program program(const std::vector<std::vector<symbolic::Operand>>& outputs);
 
  private:
@@ -47,7 +47,7 @@ class LaneBuilder {
     symbolic::Statement statement;
     int place = 0;
     bool late = false;
-    int ready = 0;  // after how many cycles
+    int ready = 0;  // the cycle after which the value is known
   };
 
   symbolic::Operand make(symbolic::Statement s, int latency);
@@ -63,7 +63,7 @@ class LaneBuilder {
   const symbolic::Program& old_;
   symbolic::Program new_;
   std::vector<Made> made_;
-  std::map<std::vector<int>, int> sections_;                                // by those of the lanes
+  std::map<std::vector<int>, int> sections_;                                // by the sections of the lanes
   std::map<std::vector<std::pair<int, bool>>, symbolic::Operand> numbers_;  // by constants and signs
   std::map<int, symbolic::Operand> sums_of_lanes_;                          // by statement
   int place_ = 0, section_ = 0;

@@ -16,10 +16,10 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// Kinds and indices of the lanes; -1: there is none.
+// The kind and index of each lane; -1: no such lane.
 using LaneKey = std::array<std::pair<Operand::Kind, int>, at(kMaxLanes)>;
 
-// Which values are packed.
+// Chooses the values that are packed.
 class LanePacker {
  public:
   LanePacker(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
@@ -42,11 +42,11 @@ class LanePacker {
   LanePlan plan_;
   std::map<LaneKey, int> known_;
   std::vector<int> pending_packed_, pending_scalars_;
-  std::vector<std::vector<Operand>> lists_;  // of expand_packed: what is allocated once serves all packed values
+  std::vector<std::vector<Operand>> lists_;  // of expand_packed: allocated once for all packed values
 
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
 
-  // The elements of each limb, each value once.
+  // Packs the output elements of the limbs, each value once.
   void pack_outputs(const symbolic::OutputArray& array) {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
       std::vector<std::vector<Operand>> lists(width(c));
@@ -108,7 +108,7 @@ class LanePacker {
     return PackedValue::Kind::gather;
   }
 
-  // Packed values first: scalars that turn out to be lanes of them are not computed by themselves.
+  // Expands packed values first, because scalars that turn out to be lanes of them need not be computed separately.
   void expand_all() {
     while (!pending_packed_.empty() || !pending_scalars_.empty()) {
       if (!pending_packed_.empty()) {
@@ -159,7 +159,7 @@ class LanePacker {
     plan_.packed_values[w].parts = std::move(parts);
   }
 
-  // Of the terms or factors of each limb, those that correspond come first.
+  // Packs the terms or factors of the limbs: first those that correspond, then the rest.
   std::vector<Part> parts_of(std::vector<std::vector<Operand>>& lists) {
     std::vector<Part> parts;
     for (Tuple& tuple : correspondence_.match(lists)) parts.push_back(part(std::move(tuple)));
@@ -167,7 +167,7 @@ class LanePacker {
     return parts;
   }
 
-  // The rest in the given order; limbs that have fewer terms get zeros.
+  // The remaining operands in the given order; limbs with fewer operands get zeros.
   std::vector<Tuple> filled_up(const std::vector<std::vector<Operand>>& lists) {
     std::size_t longest = 0;
     for (const std::vector<Operand>& list : lists) longest = std::max(longest, list.size());
@@ -213,7 +213,7 @@ class LanePacker {
   }
 };
 
-// The values that a node of the order reads: scalars, and packed values behind them.
+// The nodes of the order that a node reads. The first nodes are scalars, the others packed values.
 std::vector<int> read_by(const Program& program, const LanePlan& plan, int node) {
   std::vector<int> nodes;
   const auto note = [&](const Operand& o) {
@@ -237,7 +237,7 @@ std::vector<int> read_by(const Program& program, const LanePlan& plan, int node)
   return nodes;
 }
 
-// Every value behind those that it reads; false where two wait for each other.
+// Puts every value after those that it reads; false if two values depend on each other.
 bool order_values(const Program& program, LanePlan& plan) {
   enum class State { fresh, open, done };
   std::vector<State> states(plan.scalars.size() + plan.packed_values.size(), State::fresh);

@@ -23,19 +23,19 @@ struct Part {
 struct PackedValue {
   enum class Kind { broadcast, numbers, gather, operation, sum };
   Kind kind = Kind::gather;
-  Tuple lanes;  // the scalars that it stands for, without signs; empty: a sum that no single limb has
+  Tuple lanes;  // the scalars that it replaces, without signs; empty for a sum that no single limb has
   int width = 0;
   int place = 0;  // the statement of the program after which it can be computed
   symbolic::Op op = symbolic::Op::add;
   std::vector<Part> parts;
 };
 
-// A bit for each.
+// A mask with a bit for each lane.
 constexpr unsigned all_lanes(const PackedValue& w) {
   return (1U << w.width) - 1U;
 }
 
-// A scalar sum of which some terms come from all limbs of a class.
+// A scalar sum some of whose terms come from all limbs of a class.
 struct SumOfLimbs {
   std::vector<int> packed_values;
   std::vector<symbolic::Operand> rest;
@@ -44,18 +44,18 @@ struct SumOfLimbs {
 struct LanePlan {
   struct Scalar {
     bool needed = false;
-    int packed_value = -1, lane = -1;  // where it is a lane of a value
+    int packed_value = -1, lane = -1;  // if it is a lane of a packed value
     std::optional<SumOfLimbs> sum;
   };
   std::vector<Scalar> scalars;  // by statement
   std::vector<PackedValue> packed_values;
-  std::vector<Part> roots;  // the values of lanes that outputs ask for, with their signs there
+  std::vector<Part> roots;  // the packed values that outputs read, with their signs there
   std::vector<int> order;   // statements, then packed values, as one list of indices; operands before users
 
   int scalar_count() const { return static_cast<int>(scalars.size()); }
 };
 
-// `zero`: the constant for limbs with fewer terms or factors. nullopt where values would depend on each other.
+// `zero`: the constant that fills up limbs with fewer operands. nullopt if values would depend on each other.
 std::optional<LanePlan> lane_plan(
     const symbolic::Program& program,
     const std::vector<InputTuples>& classes,

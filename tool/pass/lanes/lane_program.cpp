@@ -41,7 +41,7 @@ class LaneProgramBuilder {
   }
 
  private:
-  // A value, of which some lanes are negated.
+  // A value some of whose lanes are negated.
   struct Lanes {
     Operand value;
     unsigned negated = 0;
@@ -86,7 +86,7 @@ class LaneProgramBuilder {
     return result;
   }
 
-  // Where lanes are kept with other signs than the outputs want, all of them change sign at once: that costs less than
+  // If lanes are kept with signs other than those of the outputs, all of them change sign at once: that costs less than
   // one by one, and values with the same sign in all lanes can be stored as a vector.
   void make_root(const Part& root) {
     const PackedValue& w = plan_.packed_values[at(root.packed_value)];

@@ -8,8 +8,8 @@
 
 namespace robcogen::pass {
 
-// `signs`: of plan_signs. Constants differ from lane to lane, and absorb the signs in which limbs differ. `builder`: a
-// new one for this program.
+// `signs`: the result of plan_signs. Constants may differ from lane to lane and absorb the signs in which limbs differ.
+// `builder`: a new LaneBuilder for this program.
 symbolic::Program lane_program(
     const symbolic::Program& program,
     const LanePlan& plan,

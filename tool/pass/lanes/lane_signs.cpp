@@ -31,7 +31,7 @@ Sign Signs::resolved(const Sign& sign) {
 
 void Signs::make_plain(const Sign& sign) {
   Sign rest = resolved(sign);
-  // The latest variable that costs nothing, else the latest.
+  // The latest variable that costs nothing, otherwise the latest of all.
   auto choice = std::find_if(rest.variables.rbegin(), rest.variables.rend(), [&](int v) {
     return !variables_[static_cast<std::size_t>(v)].costs;
   });

@@ -10,7 +10,7 @@
 
 namespace robcogen::pass {
 
-// Which lanes are negated, up to a sign of the whole: bits, of which that of lane 0 is zero, plus variables.
+// Which lanes are negated, up to a common sign of all lanes: a bit for each lane (zero for lane 0), plus variables.
 struct Sign {
   unsigned lanes = 0;
   std::vector<int> variables = {};  // ascending
@@ -21,13 +21,13 @@ class Signs {
   explicit Signs(int width) : all_((1U << width) - 1U) {}
 
   unsigned all() const { return all_; }
-  // A sign that is free to be chosen. Choosing it costs nothing (constants take it), or an instruction.
+  // A sign that can be chosen freely. That costs nothing (constants absorb it) or one instruction.
   Sign variable(bool costs);
   Sign fixed(unsigned lanes) const { return {lanes & 1U ? lanes ^ all_ : lanes, {}}; }
   Sign product(const Sign& a, const Sign& b) const;
-  // Chooses a variable such that this sign vanishes, where that is possible.
+  // Chooses a variable such that this sign vanishes, if that is possible.
   void make_plain(const Sign& sign);
-  // The lanes that are negated, with zero for variables that were not chosen.
+  // The lanes that are negated; variables that were not chosen count as zero.
   unsigned value(const Sign& sign);
 
  private:
@@ -35,7 +35,7 @@ class Signs {
     bool costs = false;
     std::optional<Sign> value = {};
   };
-  // Expresses the sign by variables that were not chosen, and shortens the chains on the way.
+  // Expresses the sign by variables that were not chosen, and shortens chains of chosen ones on the way.
   Sign resolved(const Sign& sign);
 
   unsigned all_;

@@ -17,7 +17,7 @@ using symbolic::predicted_time;
 using symbolic::Program;
 using symbolic::Statement;
 
-// nullopt where values would depend on each other, or where some have lanes already.
+// The program with these classes in lanes; nullopt if values would depend on each other, or if some have lanes already.
 std::optional<Program> with_lanes(const Program& program, const std::vector<InputTuples>& classes) {
   if (program.has_lanes()) return std::nullopt;
   LaneBuilder builder(program);
@@ -42,7 +42,7 @@ bool can_be_lanes(const InputTuples& limbs) {
   return width == 2 || width == 4 || width == at(kMaxLanes);
 }
 
-// By flat index.
+// Which input elements the program reads, by flat index.
 std::vector<bool> inputs_read(const Program& program) {
   std::vector<bool> read(at(program.input_count()), false);
   const auto note = [&](const Operand& o) {
@@ -63,8 +63,8 @@ bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
   return lanes >= 2;
 }
 
-// All classes at once; where that does not pay, one class after the other, as long as one of them adds a gain.
-// Nothing where none does.
+// Packs all classes at once; if that does not pay, one class after the other, as long as one of them adds a gain.
+// nullopt if none does.
 std::optional<Packed> pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
   const std::vector<bool> none(classes.size(), false);
   Packed best = {{}, none};

@@ -18,10 +18,10 @@ struct Packed {
 symbolic::Program with_plain_numbers(const symbolic::Program& program);
 
 // The program with lanes for those classes of limbs that make it clearly faster (symbolic::predicted_time); the program
-// itself where no class does, or where it has lanes already. Each class has 2, 4 or 8 limbs.
+// itself if no class does, or if it has lanes already. Each class has 2, 4 or 8 limbs.
 //
-// `congruent` computes the same with limbs that fold in the same way, at the price of products with zeros and ones: it
-// takes the place of the program where lanes make it faster than the program.
+// `congruent` computes the same with limbs that fold in the same way, at the price of products with zeros and ones. It
+// replaces the program if lanes make it faster.
 Packed pack_lanes(
     const symbolic::Program& program,
     const std::vector<InputTuples>& classes,

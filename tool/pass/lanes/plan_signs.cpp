@@ -28,7 +28,7 @@ class SignChoice {
  private:
   const LanePlan& plan_;
   Signs signs_{kMaxLanes};
-  std::vector<Sign> sign_;  // by packed value: of the computed value relative to the one that it stands for
+  std::vector<Sign> sign_;  // by packed value: sign of the computed value relative to the one that it stands for
 
   const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
   Sign sign_of(const Part& part) const {

@@ -7,7 +7,7 @@
 
 namespace robcogen::pass {
 
-// By packed value: the lanes that are kept negated, a bit each, so that few signs change where limbs are mirrored.
+// By packed value: the lanes that are kept negated, a bit for each, so that few signs change between mirrored limbs.
 // Values that outputs read are kept as they are, up to one sign for all lanes.
 std::vector<unsigned> plan_signs(const LanePlan& plan);
 

@@ -1,4 +1,4 @@
-// The viewer: turns about a point, moves it, and zooms, by mouse, touch and keys.
+// The camera: it turns about a point, moves and zooms, by mouse, touch and keys.
 import { dot, subtract } from "./vectors.js";
 
 export function makeCamera(centre, radius) {
@@ -10,8 +10,8 @@ export function resetCamera(camera) {
   Object.assign(camera, structuredClone(camera.initial));
 }
 
-// The projection onto a canvas of that size: `see(point)` gives pixels, and `near`, which grows towards the viewer;
-// `scaleAt(near)` pixels for a metre.
+// The projection onto a canvas of this size: `see(point)` gives pixels and `near`, which grows towards the viewer;
+// `scaleAt(near)` gives pixels per metre.
 export function projection(camera, width, height) {
   const { azimuth, elevation, radius, target } = camera;
   const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];

@@ -1,4 +1,4 @@
-// The page: state, panels and picture put together.
+// The page, which connects its state, its panels and the picture.
 import { makeCamera, projection, resetCamera, steerBy } from "./camera.js";
 import { element, makeJoints, makeOutline, makeParameters, makeWarnings, showLink } from "./panels.js";
 import { linkAt, paint, sizesOf } from "./picture.js";
@@ -34,7 +34,7 @@ function draw() {
   bars = paint(context, size, projection(camera, size.width, size.height), robot, posture, sizes, options, theme);
 }
 
-// Drawing waits for the next frame: many changes make one picture.
+// Drawing waits for the next animation frame, so that many changes make one picture.
 function ask() {
   if (isAsked) return;
   isAsked = true;
@@ -72,7 +72,7 @@ makeParameters(state, byId("parameters"), (name, value) => {
   update();
 });
 
-// Steps of 1/240 s as far as they keep up with the clock; beyond that the motion is slower than time.
+// Steps of 1/240 s, as long as they keep up with the clock; otherwise the motion is slower than real time.
 const kStep = 1 / 240;
 let clock = 0;
 function advance(now) {
@@ -145,7 +145,7 @@ addEventListener("error", (event) => {
 readTheme();
 update();
 
-// For scripts: positions by the names of joints, as sliders show them, and poses by the names of frames.
+// For scripts: positions by names of joints, as the sliders show them, and poses by names of frames.
 globalThis.robcogen = {
   positions: () => Object.fromEntries(robot.joints.map((joint, j) => [joint.name, posture.positions[j]])),
   poses: () => Object.fromEntries(data.frames.map((frame, f) => [frame.name, posture.poses[f]])),
@@ -157,7 +157,7 @@ globalThis.robcogen = {
   selected: () => options.selected,
   setPosition: (name, value) => setPosition(robot.joints.findIndex((joint) => joint.name === name), value),
   select,
-  // Milliseconds that a change of the position and its picture take.
+  // The milliseconds that a change of the position and its picture take.
   frameTime: () => {
     const began = performance.now();
     for (let k = 0; k < 10; ++k) {

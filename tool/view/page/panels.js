@@ -1,4 +1,4 @@
-// Beside the picture: the outline of links, numbers of the selected one, joints, parameters, warnings.
+// The panels next to the picture: the outline of links, numbers of the selected one, joints, parameters, warnings.
 import { nameOf } from "./positions.js";
 import { jointAxis } from "./posture.js";
 import { origin } from "./vectors.js";
@@ -107,8 +107,8 @@ export function showLink(robot, posture, selected, container) {
   container.replaceChildren(element("h3", {}, links[selected].name), listed(pairs));
 }
 
-// A slider for each coordinate; without limits, half a turn or as far as the robot is long. Those of a spherical joint
-// are the vector of its turn.
+// A slider for each coordinate. Without limits, it ranges over half a turn, or as far as the robot is long. The sliders
+// of a spherical joint are its rotation vector.
 export function makeJoints(robot, state, around, container, changed, select) {
   if (robot.joints.length === 0) return () => {};
   const rows = robot.joints.map((joint, j) => {
@@ -141,7 +141,7 @@ export function makeJoints(robot, state, around, container, changed, select) {
     return { node, joint, j, slider, field, force };
   });
   container.replaceChildren(element("h2", {}, "Joints"), ...rows.map((row) => row.node));
-  // What is written already is not written again: the browser would lay it out anew.
+  // Unchanged text is not written again, because the browser would lay it out anew.
   const write = (output, text) => {
     if (output.textContent !== text) output.textContent = text;
   };

@@ -1,4 +1,4 @@
-// The picture: what is drawn of the robot, and how, on a canvas.
+// The picture: the robot, drawn on a canvas.
 import { isFollower, nameOf } from "./positions.js";
 import { jointAxis, jointOrigin } from "./posture.js";
 import { add, axis, dot, length, origin, place, scale, subtract } from "./vectors.js";
@@ -21,8 +21,8 @@ export function sizesOf(robot, posture) {
   return { centre, around, bar, ground: Math.min(0, low[2]) };
 }
 
-// Ends of bars: a link reaches from its origin to the joints that it carries; one that carries none to its frames, or
-// else to its centre of mass.
+// The ends of bars: a link reaches from its origin to the joints that it carries; a link that carries none reaches to
+// its frames, or otherwise to its centre of mass.
 function barsOf(robot, posture) {
   const bars = [];
   robot.model.links.forEach((_, l) => {
@@ -213,7 +213,7 @@ function paintBase(context, view, pose, size, ground, theme) {
     for (const p of points.map(view.see)) context.lineTo(p.x, p.y);
     context.closePath();
   };
-  // Where the base stands above the ground, its foot print.
+  // The footprint of the base, if it stands above the ground.
   context.fillStyle = context.strokeStyle = theme.soft;
   context.lineWidth = 1;
   shape(corners.map((p) => [p[0], p[1], ground]));
@@ -226,7 +226,7 @@ function paintBase(context, view, pose, size, ground, theme) {
   context.stroke();
 }
 
-// Names near their points, where there is room: of those in a heap the first ones.
+// Paints names near their points if there is room; where points are crowded, only the first names.
 function paintNames(context, view, names, size, theme) {
   const taken = [], known = new Set();
   context.font = "12px system-ui, sans-serif";
@@ -268,7 +268,7 @@ function namesOf(robot, posture, { show, selected }) {
   return names;
 }
 
-// Draws the robot; gives the bars with their ends on the canvas, for clicks.
+// Draws the robot, and returns the bars with their ends on the canvas, for clicks.
 export function paint(context, size, view, robot, posture, sizes, options, theme) {
   const { show, selected } = options;
   context.clearRect(0, 0, size.width, size.height);
@@ -305,7 +305,7 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
     if (show.axes)
       put(at, 0.012, () => paintArrow(context, view, at, add(at, scale(3.2 * sizes.bar, along)), colours.main, 2));
   });
-  // What closes loops: a ball, or between frames that keep a distance a rod.
+  // A loop is closed by a ball, or by a rod between frames that keep a distance.
   for (const { frames } of robot.data.loops) {
     const [from, to] = frames.map((f) => origin(posture.poses[f]));
     const middle = scale(0.5, add(from, to)), ends = [from, to];

@@ -1,15 +1,15 @@
-// Positions as sliders have them, one a joint array's element: those of q, and of a spherical joint the vector of its
-// turn (rad, about an axis of the child). In q that joint has a unit quaternion w, x, y, z.
+// Positions as sliders show them, one per element of joint arrays: the elements of q, except that a spherical joint has
+// a rotation vector (rad, in axes of the child). In q, that joint has a unit quaternion w, x, y, z.
 
-// A spherical joint is three components in a row, with the same child: whether this is the first one, and whether it is
-// another one.
+// A spherical joint is three consecutive components with the same child. isFollower says whether this is the second or
+// third of them, isFirst whether it is the first.
 export const isFollower = (joints, j) =>
   j > 0 && joints[j].type === "spherical" && joints[j - 1].child === joints[j].child;
 const isFirst = (joints, j) => joints[j].type === "spherical" && !isFollower(joints, j);
 export const nameOf = (joint) => (joint.type === "spherical" ? joint.name.slice(0, -2) : joint.name);
 
-// Calls `quaternion` with the first elements in q and in joint arrays for each spherical joint, `number` with those of
-// all others.
+// Calls `quaternion` for each spherical joint, with its first elements in q and in joint arrays, and `number` for all
+// others.
 export function visit(joints, quaternion, number) {
   for (let j = 0, k = 0; j < joints.length;) {
     if (isFirst(joints, j)) {
@@ -22,10 +22,10 @@ export function visit(joints, quaternion, number) {
   }
 }
 
-// The rest of the sine quotient's series is below rounding.
+// The remaining terms of the sine quotient's series are below rounding.
 const sineQuotient = (a) => (a < 1e-4 ? 1 - (a * a) / 6 : Math.sin(a) / a);
 
-// The quaternion of a turn about an axis by the length of the vector, and back: by at most half a turn.
+// Converts a rotation vector to a quaternion, and back to a rotation of at most half a turn.
 export function quaternionOf(turn) {
   const half = Math.hypot(...turn) / 2, s = sineQuotient(half) / 2;
   return [Math.cos(half), s * turn[0], s * turn[1], s * turn[2]];
@@ -55,7 +55,7 @@ export function coordinatesOf(joints, q) {
   return coordinates;
 }
 
-// dq/dt: of a quaternion Q (0, w) / 2, where w is in axes of the child.
+// dq/dt. For a quaternion Q it is Q (0, w) / 2, where w is in axes of the child.
 export function ratesOf(joints, q, qd) {
   const rates = [];
   visit(
@@ -68,7 +68,7 @@ export function ratesOf(joints, q, qd) {
   return rates;
 }
 
-// With quaternions of unit length.
+// Returns q with quaternions of unit length.
 export function normalised(joints, q) {
   const result = [...q];
   visit(

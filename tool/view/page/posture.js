@@ -1,8 +1,8 @@
-// The robot in a position: everything here follows from the functions that the generator printed.
+// The robot in a position. Everything here is computed by functions that the generator printed.
 import { coordinatesOf, elementsOf, isFollower, normalised, ratesOf, visit } from "./positions.js";
 import { add, axis, dot, identity, origin, place, principal, rotate, scale } from "./vectors.js";
 
-// The parts of the robot that do not change: `robot` is the generated module, `data` what the generator adds.
+// The constant parts of the robot: `robot` is the generated module, `data` what the generator adds.
 export function makeRobot(robot, data) {
   const { model } = robot;
   const joints = [...model.joints, ...model.coupled_joints];
@@ -20,15 +20,15 @@ export function makeRobot(robot, data) {
   return { module: robot, model, data, joints, children, jointFrames, dof: model.dof };
 }
 
-// Everything at rest; `coordinates` are what sliders show (positions.js), q follows from them.
+// The robot at rest. `coordinates` are what the sliders show (positions.js); q follows from them.
 export function makeState(robot, q, parameters) {
   const coordinates = coordinatesOf(robot.model.joints, q);
   return { q: [...q], coordinates, qd: coordinates.map(() => 0), parameters: { ...parameters } };
 }
 
-// Where loops cannot be closed there, it stays at the last place on the way where they can.
+// If the loops cannot be closed at this value, the coordinate stops at the last value towards it where they can.
 export function setCoordinate(robot, state, j, value) {
-  const kReach = 0.02;  // rad or m: Newton's method reaches such a step
+  const kReach = 0.02;  // rad or m: Newton's method converges after such a step
   const before = state.coordinates[j];
   const kSteps = robot.module.close_loops ? Math.max(1, Math.ceil(Math.abs(value - before) / kReach)) : 1;
   for (let step = 1; step <= kSteps; ++step) {
@@ -45,12 +45,12 @@ export function setCoordinate(robot, state, j, value) {
   state.qd.fill(0);
 }
 
-// With the elements of joints that follow through loops.
+// Completes q by the elements of joints that follow through loops.
 function closed(robot, state, q) {
   return robot.module.close_loops ? robot.module.close_loops(...argumentsOf(robot, { ...state, q })) : q;
 }
 
-// Masses of links: those of the document, or those of the parameters.
+// The links with their mass properties, from the document or for the current parameters.
 function linksOf(robot, parameters) {
   const { links } = robot.model;
   if (!robot.module.numbers) return links;
@@ -64,7 +64,7 @@ function linksOf(robot, parameters) {
   }));
 }
 
-// Semi-axes of the ellipsoid of even density that has the mass and the principal moments.
+// The semi-axes of the ellipsoid of uniform density that has this mass and these principal moments.
 function semiAxes(mass, moments) {
   const sum = moments[0] + moments[1] + moments[2];
   return moments.map((moment) => Math.sqrt(Math.max(0, (2.5 / mass) * (sum - 2 * moment))));
@@ -72,7 +72,7 @@ function semiAxes(mass, moments) {
 
 const principalsOfLinks = new WeakMap();
 
-// About the centre of mass, in the frame of the link. They do not move with it.
+// Principal moments and axes about the centre of mass, in the frame of the link, in which they are constant.
 function principalsOf(link) {
   const known = principalsOfLinks.get(link);
   if (known) return known;
@@ -104,7 +104,7 @@ function massOf(link, pose) {
   };
 }
 
-// Mass and centre of each link with all that it carries; of the base: of the whole robot.
+// The mass and centre of mass of each link with all that it carries; for the base, those of the whole robot.
 function carried(robot, masses) {
   const result = masses.map((m) => ({ mass: m ? m.mass : 0, moment: m ? scale(m.mass, m.centre) : [0, 0, 0] }));
   const visit = (l) => {
@@ -121,14 +121,14 @@ function carried(robot, masses) {
 
 const argumentsOf = (robot, state) => (robot.module.parameters ? [state.parameters, state.q] : [state.q]);
 
-// Coordinates of all joints, also of those that follow others.
+// The coordinates of all joints, including those that follow others.
 function positions(robot, state) {
   const count = robot.model.coupled_joints.length;
   if (count === 0) return [...state.coordinates];
   return [...state.coordinates, ...robot.module.joint_positions(...argumentsOf(robot, state)).slice(-count)];
 }
 
-// Poses of all frames in the base, masses, and the forces of gravity.
+// The poses of all frames in the base, the masses, and the forces of gravity.
 export function postureOf(robot, state) {
   const { module, data } = robot;
   const given = argumentsOf(robot, state);
@@ -151,14 +151,14 @@ export const jointOrigin = (robot, posture, j) => origin(posture.poses[robot.joi
 
 export const canSwing = (robot) => Boolean(robot.module.forward_dynamics) && robot.dof > 0;
 
-// The state after so many seconds without joint forces: Runge and Kutta's fourth order. Joints stop at their limits.
-// False when the motion is too fast for the steps.
+// Advances the state by this many seconds without joint forces, by the Runge-Kutta method of fourth order. Joints stop
+// at their limits. Returns false if the motion is too fast for the steps.
 export function swing(robot, state, seconds) {
   const { joints } = robot.model, none = new Array(robot.dof).fill(0), h = seconds;
   const accelerate = (q, qd) =>
     robot.module.forward_dynamics(
       ...argumentsOf(robot, { ...state, q: closed(robot, state, normalised(joints, q)) }), qd, none);
-  // Elements without a rate follow.
+  // Elements without a rate follow from the others.
   const ahead = (a, step, b) => a.map((value, k) => value + step * (b[k] ?? 0));
   const mean = (a, b, c, d) => a.map((value, k) => (value + 2 * b[k] + 2 * c[k] + d[k]) / 6);
   const { q, qd } = state;

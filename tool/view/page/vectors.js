@@ -13,7 +13,7 @@ export const place = (pose, p) => add(origin(pose), rotate(pose, p));
 
 export const identity = () => [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
 
-// Eigenvalues, ascending, and unit eigenvectors of a symmetric 3 x 3 matrix: Jacobi's rotations.
+// The eigenvalues, ascending, and unit eigenvectors of a symmetric 3 x 3 matrix, by Jacobi rotations.
 export function principal(matrix) {
   const a = matrix.map((row) => [...row]);
   const v = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];

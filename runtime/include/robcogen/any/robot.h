@@ -39,30 +39,30 @@ class AnyRobot {
   int position_count() const noexcept { return tables_->position_count(); }
   int size() const noexcept { return dof() + (floating_base() ? 6 : 0); }
   bool floating_base() const noexcept { return tables_->floating_base; }
-  // Names of joints, links and frames, transforms and Jacobians; of a robot with parameters, numbers are of the
-  // defaults.
+  // Names of joints, links, frames, transforms and Jacobians. For a robot with parameters, numbers in the tables are
+  // those of the default values.
   const reflection::Robot& tables() const noexcept { return *tables_; }
 
-  // What the instances of parts in its document have become: `limb.joints` are places in q.
+  // The instances of parts in the robot's document. Indices in `limb.joints` are those of elements of qd.
   const Limbs& limbs() const noexcept { return tables_->limbs; }
-  // By its name; nullptr where there is none.
+  // Returns the limb of this name, or nullptr if there is none.
   const Limb* find_limb(std::string_view limb) const noexcept {
     for (const Limb& l : limbs())
       if (limb == l.name) return &l;
     return nullptr;
   }
 
-  // Joint forces for joint accelerations qdd (dof() elements). Returns the acceleration of a floating base
-  // without a wrench on it; zero for a fixed base.
+  // Computes the joint forces tau for joint accelerations qdd (dof() elements). Returns the acceleration of a floating
+  // base without a wrench on it; zero for a fixed base.
   SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau) const;
   SpatialAcceleration inverse_dynamics(In q, In v, In qdd, Out tau, const Gravity& gravity, External external = {})
       const;
 
-  // Forces f, the wrench on a floating base first, for accelerations a of base and joints.
+  // Computes the forces f, the wrench on a floating base first, for accelerations a of base and joints.
   void inverse_dynamics_fully_actuated(In q, In v, In a, Out f) const;
   void inverse_dynamics_fully_actuated(In q, In v, In a, Out f, const Gravity& gravity, External external = {}) const;
 
-  // Accelerations a, of a floating base first, under joint forces tau (dof() elements).
+  // Computes the accelerations a, a floating base first, under joint forces tau (dof() elements).
   void forward_dynamics(In q, In v, In tau, Out a) const;
   void forward_dynamics(In q, In v, In tau, Out a, const Gravity& gravity, External external = {}) const;
 
@@ -86,22 +86,23 @@ class AnyRobot {
   int find_transform(std::string_view transform) const noexcept { return find(tables_->transforms, transform); }
   int find_jacobian(std::string_view jacobian) const noexcept { return find(tables_->jacobians, jacobian); }
 
-  // By index: 4 x 4; 6 x 6, angular first.
+  // Transforms by index: homogeneous (4 x 4), and of motion and force vectors (6 x 6, angular first).
   Eigen::Matrix4d homogeneous_transform(int transform, In q) const;
   Eigen::Matrix<double, 6, 6> motion_transform(int transform, In q) const;
   Eigen::Matrix<double, 6, 6> force_transform(int transform, In q) const;
 
-  // 6 rows, angular first, and a column for each joint of the chain, which tables().jacobians[jacobian] lists.
+  // Jacobian by index: 6 rows, angular first, and one column for each joint of the chain, which
+  // tables().jacobians[jacobian] lists.
   void jacobian(int jacobian, In q, OutMatrix J) const;
 
   // Index of an actuator of tables().actuators by its name; -1 when there is none.
   int find_actuator(std::string_view actuator) const noexcept { return find(tables_->actuators, actuator); }
 
-  // An element an actuator: its length (m), and the rate of that (m/s).
+  // Lengths of the actuators (m) and their rates (m/s), one element per actuator.
   void actuator_lengths(In q, Out lengths) const;
   void actuator_velocities(In q, In v, Out velocities) const;
 
-  // Lever arms: a row an actuator, a column a joint. Its transpose times the forces of actuators are joint forces.
+  // Lever arms: one row per actuator, one column per joint. J^T times the actuator forces gives the joint forces.
   void actuator_jacobian(In q, OutMatrix J) const;
 
  private:

@@ -15,21 +15,21 @@ struct Setpoint {
   typename R::JointState qdd = R::JointState::Zero();
 };
 
-// Of the error of each joint: qdd per q (1/s^2) and per qd (1/s).
+// Gains of each joint: acceleration per position error (1/s^2) and per velocity error (1/s).
 template <RobotTraits R>
 struct Gains {
   typename R::JointState stiffness;
   typename R::JointState damping;
 };
 
-// Errors e(t) = (e + (de/dt + pole e) t) exp(-pole t), in all joints: both poles at -pole (1/s).
+// Gains with both poles at -pole (1/s) in all joints: the error is e(t) = (e + (de/dt + pole e) t) exp(-pole t).
 template <RobotTraits R>
 Gains<R> critically_damped(typename R::Scalar pole) noexcept {
   return {R::JointState::Constant(pole * pole), R::JointState::Constant(2 * pole)};
 }
 
-// Joint forces (N m, N) by inverse dynamics (Siciliano et al., Robotics, 2009, 8.5.2). With a floating base without
-// a wrench on it, the joints follow the trajectory, and the base moves accordingly.
+// Joint forces (N m, N) by inverse dynamics (Siciliano et al., Robotics, 2009, 8.5.2). If no wrench acts on a floating
+// base, the joints follow the trajectory, and the base moves accordingly.
 template <HasInverseDynamics R>
 typename R::JointState computed_torque(
     const R& robot,

@@ -21,7 +21,8 @@
 
 namespace robcogen {
 
-// pose(q), A_X_B, of a frame B in a frame A (4 x 4), A_J_B with as many columns as kColumns lists joints.
+// A chain from a frame A to a frame B: pose(q) is A_X_B (4 x 4), and jacobian(q) is A_J_B (6 rows), with one column for
+// each joint that kColumns lists.
 template <class C>
 concept KinematicChain = requires(const C& chain, const typename C::JointState& q) {
   requires decltype(chain.pose(q))::RowsAtCompileTime == 4;
@@ -29,8 +30,8 @@ concept KinematicChain = requires(const C& chain, const typename C::JointState& 
   requires decltype(chain.jacobian(q))::ColsAtCompileTime == static_cast<int>(C::kColumns.size());
 };
 
-// The motion from one pose to another: the axis times the angle of the turn (rad), of at most half a turn, then the
-// displacement of the origin (m). In coordinates of the frame that both poses are in.
+// The motion from one pose to another: the axis times the angle of the rotation (rad), at most half a turn, then the
+// displacement of the origin (m). It is in coordinates of the frame in which both poses are given.
 template <class Scalar>
 Eigen::Matrix<Scalar, 6, 1> pose_error(
     const Eigen::Matrix<Scalar, 4, 4>& from,
@@ -44,10 +45,10 @@ Eigen::Matrix<Scalar, 6, 1> pose_error(
   return error;
 }
 
-// The joints after one step towards `target`, a pose like chain.pose(q): q + J^T (J J^T + mu)^-1 e of the pose error e,
-// mu = damping + |e|^2 / 2. The damping (positive) keeps steps short at singularities; the rest keeps far targets from
-// causing long ones, and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Turns and displacements have equal
-// weight, in rad and m; joints outside the chain do not move.
+// Returns the joint positions after one step towards `target`, a pose like chain.pose(q): q + J^T (J J^T + mu)^-1 e
+// with the pose error e and mu = damping + |e|^2 / 2. The damping (positive) keeps steps short at singularities; the
+// second term keeps them short for far targets and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Rotations
+// (rad) and displacements (m) have equal weight; joints outside the chain do not move.
 template <KinematicChain C>
 typename C::JointState inverse_kinematics_step(
     const C& chain,

@@ -1,7 +1,7 @@
 // Time integration of any robot, one step at a time. Needs C++20.
 //
-// Both take a function that returns the accelerations in a state: the caller decides on joint forces, contacts and
-// gravity:
+// Both methods take a function that returns the accelerations in a state, so the caller decides on joint forces,
+// contacts and gravity:
 //
 //     state = runge_kutta_step(state, h, [&](const auto& s) { return acceleration(robot, s, tau); });
 //
@@ -16,8 +16,8 @@ namespace robcogen {
 
 namespace simulation {
 
-// Time derivative of a state, its parts one after another: positions, then velocities; for a floating base the
-// coefficients of the orientation (x, y, z, w), position, velocity.
+// Time derivative of a state as one vector: joint positions, then joint velocities; for a floating base also the
+// coefficients of the orientation (x, y, z, w), position and velocity, from element kBaseRate on.
 template <RobotTraits R>
 inline constexpr int kBaseRate = kPositionCount<R> + R::kDof;
 template <RobotTraits R>
@@ -62,8 +62,8 @@ State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar
 
 }  // namespace simulation
 
-// Semi-implicit Euler, with accelerations that hold for the step: velocities by them, then positions by the velocities
-// at the end. First order; energy oscillates without drift for small steps.
+// A step of semi-implicit Euler with constant accelerations, which change the velocities; the velocities at the end
+// change the positions. First order; energy oscillates without drift for small steps.
 template <FixedBase R>
 State<R> integrate(const State<R>& state, const typename R::JointState& qdd, typename R::Scalar h) noexcept {
   State<R> result = state;
@@ -72,7 +72,7 @@ State<R> integrate(const State<R>& state, const typename R::JointState& qdd, typ
   return result;
 }
 
-// The base moves by its twist at the end, exactly, and its orientation remains a rotation.
+// The same for a floating base, which moves exactly by its twist at the end; its orientation remains a rotation.
 template <FloatingBase R>
 State<R> integrate(const State<R>& state, const typename R::GeneralizedAcceleration& a, typename R::Scalar h) noexcept {
   State<R> result = state;
@@ -83,7 +83,7 @@ State<R> integrate(const State<R>& state, const typename R::GeneralizedAccelerat
   return result;
 }
 
-// One evaluation of the dynamics.
+// Semi-implicit Euler: first order, one evaluation of the dynamics.
 template <RobotTraits R, class Acceleration>
 State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
   return integrate(state, acceleration(state), h);

@@ -10,7 +10,7 @@
 
 namespace robcogen {
 
-// In rad, m and per second.
+// Joint positions (rad, m) and velocities (rad/s, m/s).
 template <RobotTraits R>
 struct State {
   JointPositions<R> q = neutral_positions<R>();

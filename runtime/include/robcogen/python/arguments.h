@@ -1,4 +1,4 @@
-// Functions while their module lives, and the arguments of a call by position and keyword.
+// Data of the functions of a module, and the arguments of a call by position and keyword.
 #pragma once
 
 #include "robcogen/python/tables.h"
@@ -7,14 +7,14 @@ namespace robcogen::python {
 
 inline constexpr int kMaxArrays = 32;
 
-// What belongs to a function while the module lives.
+// Data of a function, which exist as long as its module.
 struct Entry {
   const Module* module = nullptr;
   const Function* function = nullptr;
   std::string name;  // `hyl.inverse_dynamics`
   std::vector<PyObject*> keywords;
   PyTypeObject* structure = nullptr;
-  std::vector<PyObject*> shapes;  // arguments of numpy.empty for one state: of each result in double, then in float
+  std::vector<PyObject*> shapes;  // arguments of numpy.empty for one state: for each result in double, then in float
   std::unique_ptr<PyMethodDef> method;
 };
 
@@ -33,7 +33,8 @@ inline bool refuse(const Entry& entry, const std::string& what, PyObject* type =
   return false;
 }
 
-// The arguments by their places, out behind them; null: not given.
+// Writes the arguments to `given` in the order of the function's arguments, then `out`; null if not given. Returns
+// whether it succeeded; otherwise an exception is set.
 inline bool place(const Entry& entry, PyObject* const* args, Py_ssize_t count, PyObject* names, PyObject** given) {
   const std::size_t most = entry.function->arguments.size();
   if (count > static_cast<Py_ssize_t>(most))

@@ -21,7 +21,7 @@
 
 namespace robcogen::python {
 
-// An array of a function, of one state.
+// An array that a function reads or writes for one state.
 struct Argument {
   const char* name;
   int rank;  // 0: a number, 1: a vector of `rows` elements, 2: a matrix
@@ -46,7 +46,7 @@ inline std::string shape(const Argument& a, const std::string& first = "") {
   return text + (lengths.size() == 1 ? ",)" : ")");
 }
 
-// An array of Python's, or the numbers of a sequence, as states of an argument.
+// A Python array, or the numbers of a sequence, as states of an argument.
 class View {
  public:
   View() = default;
@@ -56,10 +56,10 @@ class View {
     if (has_buffer_) PyBuffer_Release(&buffer_);
   }
 
-  // Whether it succeeded; otherwise an exception is set. `function` is for the message.
+  // Both return whether they succeeded; otherwise an exception is set, whose message names `function`.
   bool read(PyObject* object, const Argument& argument, const char* function);
   bool read_result(PyObject* object, const Argument& argument, const char* function);
-  // `count` numbers that are the same in all states.
+  // Sets the numbers of an argument that are the same in all states.
   void set_constant(const double* numbers, const Argument& argument);
 
   bool is_batch() const { return is_batch_; }
@@ -67,10 +67,10 @@ class View {
   bool is_array() const { return has_buffer_; }
   bool is_float() const { return type_ == 'f'; }
   bool overlaps(const View& other) const { return low_ < other.high_ && other.low_ < high_; }
-  // Whether elements share their place, as those of broadcast arrays do.
+  // Whether elements share memory, as those of broadcast arrays do.
   bool overlaps_itself() const;
 
-  // Elements in the order of the library, of one state.
+  // Copy the elements of one state, in the order of the library.
   template <class Scalar>
   void gather(std::ptrdiff_t state, Scalar* to) const {
     const char* from = data_ + state * state_stride_;
@@ -87,7 +87,7 @@ class View {
     });
   }
 
-  // The same of `count` states, one after another.
+  // The same for `count` states, one after another.
   template <class Scalar>
   void gather(std::ptrdiff_t first, std::ptrdiff_t count, Scalar* to) const {
     for (std::ptrdiff_t i = 0; i < count; ++i) gather(first + i, to + i * inner_ * outer_);
@@ -97,13 +97,14 @@ class View {
     for (std::ptrdiff_t i = 0; i < count; ++i) scatter(first + i, from + i * inner_ * outer_);
   }
 
-  // Where the library can read or write one state in place, its first element; otherwise nullptr.
+  // Returns the first element of a state if the library can read or write the state in place, otherwise nullptr.
   template <class Scalar>
   Scalar* in_place(std::ptrdiff_t state) const {
     if (!is_dense<Scalar>()) return nullptr;
     return reinterpret_cast<Scalar*>(const_cast<char*>(data_ + state * state_stride_));
   }
-  // The same for many states at any distance: distances of elements and states, in elements.
+  // Returns whether functions over many states can read or write the array in place, and the strides of elements and
+  // states, in elements.
   template <class Scalar>
   bool strides(std::ptrdiff_t& element, std::ptrdiff_t& state) const {
     constexpr auto kSize = static_cast<std::ptrdiff_t>(sizeof(Scalar));
@@ -117,7 +118,7 @@ class View {
   Scalar* first() const {
     return reinterpret_cast<Scalar*>(const_cast<char*>(data_));
   }
-  // One state stands for all where others have many.
+  // Makes a single state stand for all states of the other arguments.
   void broadcast() {
     if (states_ == 1) state_stride_ = 0;
   }
@@ -130,9 +131,9 @@ class View {
   char type_ = 'd';
   bool is_batch_ = false;
   std::ptrdiff_t states_ = 1, state_stride_ = 0;
-  // In the order of the library: `inner` numbers at one distance, `outer` times.
+  // In the order of the library: `inner` numbers with one stride, `outer` times.
   std::ptrdiff_t inner_ = 1, outer_ = 1, inner_stride_ = 0, outer_stride_ = 0, line_stride_ = 0;
-  bool is_line_ = true;  // all elements of a state are at one distance
+  bool is_line_ = true;  // all elements of a state have one stride
   std::uintptr_t low_ = 0, high_ = 0;
 
   template <class T>
@@ -155,7 +156,7 @@ class View {
     return is_type<Scalar>() && is_line_ && (line_stride_ == kSize || inner_ * outer_ <= 1) && is_aligned<Scalar>() &&
            state_stride_ % kSize == 0;
   }
-  // Members are read once: for all that compilers know, f changes them.
+  // Members are read once, because the compiler must assume that f changes them.
   template <class T, class F>
   void each(const char* from, F f) const {
     const std::ptrdiff_t outer = outer_, inner = inner_, outer_stride = outer_stride_, inner_stride = inner_stride_;
@@ -183,7 +184,8 @@ class View {
 
 inline constexpr const char* kNotNumbers = " must be numbers, an array of float64 or float32 or a sequence";
 
-// Whether all went well. Leaves of nested sequences go to `numbers`, lengths of the levels to `lengths`.
+// Appends the leaves of nested sequences to `numbers` and the lengths of the levels to `lengths`. Returns whether it
+// succeeded; otherwise an exception is set.
 inline bool flatten(
     PyObject* object,
     const Argument& argument,
@@ -254,7 +256,7 @@ inline bool View::take_buffer(const Argument& a, const char* function, bool is_r
   return true;
 }
 
-// The bytes between the first and the last one.
+// Finds the range of addresses from the first byte to the last.
 inline void View::find_range() {
   std::ptrdiff_t low = 0, high = 0;
   const auto extend = [&](std::ptrdiff_t count, std::ptrdiff_t stride) {
@@ -312,7 +314,7 @@ inline bool View::read(PyObject* object, const Argument& a, const char* function
   const auto expected = static_cast<std::size_t>(a.rank);
   const std::size_t lead = lengths.size() - expected;
   bool fits = lengths.size() == expected || lengths.size() == expected + 1;
-  // A level below an empty one is unknown.
+  // The levels below an empty sequence are unknown.
   const bool is_empty = !lengths.empty() && lengths.back() == 0 && lengths.size() == 1;
   if (is_empty && expected > 0 && a.rows > 0) {
     is_batch_ = true;

@@ -12,7 +12,7 @@ namespace robcogen::python {
 
 inline constexpr std::ptrdiff_t kBlock = 64;  // states whose arrays are copied at a time: they stay in the cache
 
-// Numbers of one state, on the stack where they are few.
+// Memory for copies of numbers, on the stack while they are few.
 template <class Scalar>
 class Scratch {
  public:
@@ -59,7 +59,7 @@ Batch<Scalar> batch_of(const Variant& variant) {
   }
 }
 
-// State by state. Arrays that the library cannot read or write in place go through copies.
+// Computes state by state. Arrays that the library cannot read or write in place are copied.
 template <class Scalar>
 void compute_each(const Entry& entry, const Inputs& inputs, Results& results) {
   const Function& function = *entry.function;
@@ -92,15 +92,15 @@ void compute_each(const Entry& entry, const Inputs& inputs, Results& results) {
   }
 }
 
-// Whether the functions over many states can read or write the array where it is; `states` is it then.
+// Whether functions over many states can read or write the array in place, which `states` then describes.
 template <class Number>
 bool is_strided(const View& view, batch::Strided<Number>& states) {
   states.data = view.template first<Number>();
   return view.template strides<std::remove_const_t<Number>>(states.element, states.state);
 }
 
-// By a function over many states. Arrays that it cannot read or write in place go through copies, of a block of states
-// at a time.
+// Computes all states by a function over many states. Arrays that it cannot read or write in place are copied, one
+// block of states at a time.
 template <class Scalar>
 void compute_together(const Entry& entry, Batch<Scalar> batch, const Inputs& inputs, Results& results) {
   const Function& function = *entry.function;
@@ -151,7 +151,7 @@ void compute_in(const Entry& entry, const Inputs& inputs, Results& results) {
     compute_each<Scalar>(entry, inputs, results);
 }
 
-// In the type of the arrays.
+// Computes in the scalar type of the arrays.
 inline void compute(const Entry& entry, const Inputs& inputs, Results& results) {
   if (inputs.is_float)
     compute_in<float>(entry, inputs, results);

@@ -10,7 +10,7 @@ namespace robcogen::python {
 
 inline constexpr double kStandardGravity[3] = {0, 0, -9.81};
 
-// Views by their places; only those that are used are made.
+// Views by index. Only those that are used are constructed.
 class Views {
  public:
   Views() = default;
@@ -19,7 +19,7 @@ class Views {
   ~Views() {
     for (std::size_t k = 0; k < count_; ++k) (*this)[k].~View();
   }
-  // Those up to this place exist from now on.
+  // Constructs the views up to this index, and returns the last.
   View& add(std::size_t k) {
     for (; count_ <= k; ++count_) new (memory_ + count_ * sizeof(View)) View;
     return (*this)[k];
@@ -38,14 +38,14 @@ struct Inputs {
   const Variant* variant = nullptr;
   const void* caches = nullptr;  // of parameters
   Views views;
-  bool is_float = false;  // numbers are float: all arrays are
+  bool is_float = false;  // all arrays are of float
   bool is_batch = false;
   std::ptrdiff_t states = 1;
 
   std::size_t count() const { return static_cast<std::size_t>(variant->inputs); }
 };
 
-// The first overload that takes all arguments that are given; nullptr where there is none.
+// Returns the first overload that takes all given arguments, or nullptr if there is none.
 inline const Variant* variant_for(const Function& function, PyObject* const* given) {
   int last = function.required;
   for (std::size_t k = 0; k < function.arguments.size(); ++k)
@@ -55,7 +55,7 @@ inline const Variant* variant_for(const Function& function, PyObject* const* giv
   return nullptr;
 }
 
-// Gravity and external wrenches may be missing before others.
+// Sets an argument that is missing before others that are given: only gravity and external wrenches have a default.
 inline bool set_default(const Entry& entry, const Argument& a, View& view) {
   const bool is_gravity = std::strcmp(a.name, "gravity") == 0;
   if (!is_gravity && std::strcmp(a.name, "external") != 0)
@@ -65,7 +65,7 @@ inline bool set_default(const Entry& entry, const Argument& a, View& view) {
   return true;
 }
 
-// Whether it succeeded; otherwise an exception is set.
+// Returns whether it succeeded; otherwise an exception is set.
 inline bool read_inputs(const Entry& entry, PyObject* const* given, Inputs& inputs) {
   const Function& function = *entry.function;
   inputs.variant = variant_for(function, given);

@@ -1,4 +1,4 @@
-// Makes the Python module of the tables of a generated library: functions in their scopes, the type of parameters,
+// Makes a Python module from the tables of a generated library: functions in their scopes, the type of parameters,
 // names and limits of the model.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace robcogen::python {
 
-// Takes the reference.
+// Takes over the reference to `value`.
 inline bool add(PyObject* module, const char* name, PyObject* value) {
   const bool is_added = value && PyObject_SetAttrString(module, name, value) == 0;
   Py_DecRef(value);
@@ -33,7 +33,7 @@ inline void delete_parameters(PyObject* self) {
   Py_DecRef(reinterpret_cast<PyObject*>(type));
 }
 
-// Parameters(name=value, …): those that are not given have their defaults.
+// Parameters(name=value, …). Parameters that are not given have their defaults.
 inline PyObject* new_parameters(PyTypeObject* type, PyObject* args, PyObject* keywords) {
   const ParameterTable& table = module_of_parameters->parameters;
   if (PyTuple_Size(args) > 0) {
@@ -96,7 +96,7 @@ inline bool add_parameters(PyObject* module, const Module& m) {
   return add(module, "Parameters", type) && add(module, "parameter_names", tuple(m.parameters.names, text));
 }
 
-// The module of a scope, `transforms.homogeneous`, which is made where there is none. A borrowed reference.
+// Returns the module of a scope such as `transforms.homogeneous`, and makes it if there is none. A borrowed reference.
 inline PyObject* scope_of(PyObject* module, std::string scope) {
   while (!scope.empty()) {
     const std::size_t end = std::min(scope.find('.'), scope.size());
@@ -105,13 +105,13 @@ inline PyObject* scope_of(PyObject* module, std::string scope) {
       return nullptr;
     module = PyObject_GetAttrString(module, name.c_str());
     if (!module) return nullptr;
-    Py_DecRef(module);  // the scope around it holds it
+    Py_DecRef(module);  // the enclosing scope holds it
     scope.erase(0, std::min(end + 1, scope.size()));
   }
   return module;
 }
 
-// The type of several results, with their names.
+// The type of a structure of several results, with their names.
 inline PyTypeObject* structure(const Entry& entry) {
   std::vector<PyStructSequence_Field> fields;
   for (const Argument& a : entry.function->results) fields.push_back({a.name, nullptr});
@@ -139,7 +139,7 @@ inline bool add_function(PyObject* module, const Module& m, const Function& f) {
   entry->method.reset(new PyMethodDef{
       f.name, reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&call)), METH_FASTCALL | METH_KEYWORDS,
       f.documentation});
-  // It lives as long as the module: Python never unloads one.
+  // The entry is never deleted, because Python never unloads a module.
   PyObject* const self = PyCapsule_New(entry, nullptr, nullptr);
   PyObject* const name = PyUnicode_FromString(m.name);
   PyObject* const function = self ? PyCFunction_NewEx(entry->method.get(), self, name) : nullptr;
@@ -204,7 +204,7 @@ inline PyObject* make_module(const Module& m) {
   const auto number = [](double x) { return PyFloat_FromDouble(x); };
   bool is_good = add_parameters(module, m);
   is_good = is_good && add(module, "frame_names", tuple(m.frames, text));
-  // Otherwise there is no robot, only transforms.
+  // Modules without links have only transforms.
   if (!m.links.empty())
     is_good =
         is_good && add(module, "dof", PyLong_FromSize_t(m.joints.size())) &&

@@ -1,13 +1,13 @@
 // Functions of a generated library as functions of a Python module. The generated source has tables and calls; this
-// does the rest: arguments by position and keyword, states and many states, results. Errors are ValueError and
-// TypeError that name the function and the argument.
+// header does the rest: arguments by position and keyword, one state or many, results. Errors are ValueError and
+// TypeError, whose messages name the function and the argument.
 #pragma once
 
 #include "robcogen/python/computation.h"
 
 namespace robcogen::python {
 
-// Other threads of Python run while it lives.
+// Other Python threads can run while it exists.
 class WithoutLock {
  public:
   WithoutLock() : thread_(PyEval_SaveThread()) {}
@@ -19,7 +19,7 @@ class WithoutLock {
   PyThreadState* thread_;
 };
 
-// A new reference: the array, or a number unless an array is wanted for it.
+// Returns a new reference to the array of a result, or to a number if the result is one and no array is wanted for it.
 inline PyObject* result_object(const Entry& entry, bool is_array, const Results& results, std::size_t r) {
   PyObject* const array = results.arrays[r];
   if (entry.function->results[r].rank > 0 || is_array) {
@@ -31,7 +31,7 @@ inline PyObject* result_object(const Entry& entry, bool is_array, const Results&
   return PyFloat_FromDouble(number);
 }
 
-// One result, or a structure of several.
+// Returns the result, or a structure of several results.
 inline PyObject* collect(const Entry& entry, bool is_array, const Results& results) {
   const std::size_t count = entry.function->results.size();
   if (count == 1) return result_object(entry, is_array, results, 0);
@@ -42,7 +42,7 @@ inline PyObject* collect(const Entry& entry, bool is_array, const Results& resul
   return structure;
 }
 
-// `given`: the arguments by their places, out behind them.
+// `given` has the arguments in the order of the function's arguments, then `out`.
 inline PyObject* call_with(const Entry& entry, PyObject* const* given) {
   PyObject* const out = given[entry.function->arguments.size()];
   Inputs inputs;

@@ -1,11 +1,11 @@
-// Arrays for the results of a call: those given as `out`, or new ones, of numpy where there is numpy.
+// Arrays for the results of a call: those given as `out`, or new ones, which are numpy arrays if there is numpy.
 #pragma once
 
 #include "robcogen/python/inputs.h"
 
 namespace robcogen::python {
 
-// A tuple of the lengths of a result.
+// The shape of a result, as a tuple.
 inline PyObject* lengths(const Argument& a, bool is_batch, std::ptrdiff_t states) {
   PyObject* const tuple = PyTuple_New(a.rank + (is_batch ? 1 : 0));
   Py_ssize_t k = 0;
@@ -15,7 +15,7 @@ inline PyObject* lengths(const Argument& a, bool is_batch, std::ptrdiff_t states
   return tuple;
 }
 
-// Without numpy: a memoryview.
+// A memoryview for a result, for use without numpy.
 inline PyObject* memory(const Argument& a, bool is_float, bool is_batch, std::ptrdiff_t states) {
   const std::ptrdiff_t bytes = states * size(a) * (is_float ? 4 : 8);
   PyObject* const array = PyByteArray_FromStringAndSize(nullptr, bytes);
@@ -53,7 +53,7 @@ struct Results {
   }
 };
 
-// Whether an array given for result r can take it, whose view is among those of the results.
+// Whether the array given for result r can take it. Its view is already among those of the results.
 inline bool check_out(const Entry& entry, const Inputs& inputs, const Results& results, std::size_t r) {
   const Function& function = *entry.function;
   const Argument& result = function.results[r];
@@ -77,7 +77,7 @@ inline bool check_out(const Entry& entry, const Inputs& inputs, const Results& r
   return true;
 }
 
-// `out` is an array or a tuple of arrays, or null. Whether it succeeded; otherwise an exception is set.
+// `out` is an array, a tuple of arrays, or null. Returns whether it succeeded; otherwise an exception is set.
 inline bool prepare_results(const Entry& entry, PyObject* out, const Inputs& inputs, Results& results) {
   const Function& function = *entry.function;
   const std::size_t count = function.results.size();

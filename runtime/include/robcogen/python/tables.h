@@ -1,4 +1,4 @@
-// What a generated library says of its functions, parameters and model to its Python module.
+// Tables that describe the functions, parameters and model of a generated library to its Python module.
 #pragma once
 
 #include "robcogen/batch.h"
@@ -15,7 +15,7 @@ using Batch = void (*)(
     const batch::Strided<const Scalar>* in,
     const batch::Strided<Scalar>* out);
 
-// An overload: the first `inputs` arguments.
+// An overload, which takes the first `inputs` arguments.
 struct Variant {
   int inputs;
   Kernel<double> in_double;
@@ -34,10 +34,10 @@ struct Function {
   std::vector<Variant> variants;  // fewest inputs first
 };
 
-// What parameters are for the library; all null without any.
+// The parameters of the library; all pointers are null if there are none.
 struct ParameterTable {
   std::vector<const char*> names;
-  std::vector<double> defaults;  // not a number: none
+  std::vector<double> defaults;  // NaN: no default
   void* (*make)(const double* values);
   void (*destroy)(void* caches);
   const double* (*in_double)(const void* caches);

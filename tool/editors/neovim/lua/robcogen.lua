@@ -2,7 +2,7 @@
 local M = { command = { 'robcogen', 'language-server' }, settings = {} }
 local clients = {}
 
--- `opts.command`: the program and its arguments, where it is not on the path. `opts.settings`: importFolders, a list.
+-- `opts.command`: the program and its arguments, if it is not on the path. `opts.settings`: importFolders, a list.
 function M.setup(opts)
   M.command = (opts or {}).command or M.command
   M.settings = (opts or {}).settings or M.settings
@@ -21,7 +21,7 @@ function M.start(language)
     name = 'robcogen',
     cmd = M.command,
     root_dir = root,
-    -- Neovim 0.7 gives no settings when it is asked for them.
+    -- Neovim 0.7 does not answer requests for settings.
     init_options = M.settings,
     settings = { robcogen = M.settings },
     workspace_folders = { { uri = vim.uri_from_fname(root), name = root } },
