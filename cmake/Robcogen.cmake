@@ -437,12 +437,41 @@ function(_robcogen_add_selfcheck target)
   _robcogen_exclusion(exclusion)
   add_executable(${target} ${exclusion})
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
-  # A self-check compiles about as long as it runs: builds of this project use -Og.
+  _robcogen_add_checks(checks)
+  target_link_libraries(${target} PRIVATE ${checks})
+  _robcogen_set_test_options(${target})
+  _robcogen_run_selfcheck(${target} robot)
+endfunction()
+
+# A self-check compiles about as long as it runs: builds of this project use -Og.
+function(_robcogen_set_test_options target)
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
   if(TARGET robcogen_selfcheck_headers AND ROBCOGEN_TEST_OPTIONS)
     target_precompile_headers(${target} REUSE_FROM robcogen_selfcheck_headers)
   endif()
-  _robcogen_run_selfcheck(${target} robot)
+endfunction()
+
+# Sets `result` to the library of the checks that all self-checks call. It is compiled once for the compiler flags of this
+# directory, which may change the layout of types of the standard library.
+function(_robcogen_add_checks result)
+  get_property(options DIRECTORY PROPERTY COMPILE_OPTIONS)
+  get_property(definitions DIRECTORY PROPERTY COMPILE_DEFINITIONS)
+  set(flags ${CMAKE_CXX_FLAGS} ${options} ${definitions})
+  foreach(configuration IN LISTS CMAKE_BUILD_TYPE CMAKE_CONFIGURATION_TYPES)
+    string(TOUPPER "${configuration}" configuration)
+    list(APPEND flags ${CMAKE_CXX_FLAGS_${configuration}})
+  endforeach()
+  string(MD5 hash "${flags}")
+  string(SUBSTRING ${hash} 0 8 hash)
+  set(target robcogen_checks_${hash})
+  set(${result} ${target} PARENT_SCOPE)
+  if(TARGET ${target})
+    return()
+  endif()
+  add_library(${target} STATIC EXCLUDE_FROM_ALL)
+  target_link_libraries(${target} PRIVATE robcogen::checks_harness)
+  _robcogen_set_test_options(${target})
+  set_target_properties(${target} PROPERTIES FOLDER robots POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
 # Sets `result` to whether ctest can run the programs of this library: a cross-built program needs an emulator, and a

@@ -75,6 +75,16 @@ TEST(Arguments, NameParametersAndConstantsInEveryDialect) {
   EXPECT_EQ(s[8].amount->default_value->value(), 1.0);
 }
 
+TEST(Arguments, MembersOfGroupsMayBeKeywords) {
+  const auto d = test::read_motions(
+      "Model M Params lengths { ^Model } Convention = local A -> B : trx(lengths.^Model) try(consts.^Params)");
+  const Expression& parameter = *d.motions[0].steps[0].amount;
+  EXPECT_EQ(parameter.group, "lengths");
+  EXPECT_EQ(parameter.name, "Model");
+  EXPECT_EQ(print(parameter), "lengths.^Model");
+  EXPECT_EQ(d.motions[0].steps[1].amount->name, "Params");
+}
+
 TEST(Arguments, PointsAreMembersOnlyBetweenNames) {
   const auto d = test::read_motions("Model M Convention = local A -> B : trx(.5) trx(1.) trx(2.5) trx(g.x)");
   EXPECT_EQ(d.motions[0].steps[0].amount->number.value(), 0.5);

@@ -2,11 +2,11 @@
 // does not compile, or is not generated, is reported with the seed and the options that it came from.
 //
 //     compile_limbed_robots TOOL DIR FIRST COUNT COMPILER...
-//     compile_limbed_robots --run SELFCHECK TOOL DIR FIRST COUNT COMPILER...
+//     compile_limbed_robots --run SOURCES TOOL DIR FIRST COUNT COMPILER...
 //
 // `COMPILER…` is a command that takes the name of one unit. Code of many robots is one unit, so that the compiler reads
-// headers once. With --run each robot, generated as by default, is linked with the self-check whose source is given and
-// compared with the independent reference.
+// headers once. With --run each robot, generated as by default, is linked with the self-check whose sources are in that
+// folder, and compared with the independent reference.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -99,7 +99,9 @@ bool passes(const std::string& compiler, const fs::path& dir, const std::string&
         upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     text << "#define ROBCOGEN_HAS_" << upper << " " << fs::exists(dir / name / (group + ".h")) << "\n";
   }
-  text << includes(dir, name) << "#include \"" << selfcheck << "\"\n";
+  text << includes(dir, name);
+  for (const char* source : {"selfcheck.cpp", "robot_selfcheck.cpp"})
+    text << "#include \"" << selfcheck << "/" << source << "\"\n";
   text.close();
   const std::string program = (dir / (name + "_check")).string();
   const bool links = std::system((compiler + " " + in_quotes(unit) + " -o " + in_quotes(program)).c_str()) == 0;
@@ -158,7 +160,7 @@ int main(int argc, char** argv) {
     arguments.erase(arguments.begin(), arguments.begin() + 2);
   }
   if (arguments.size() < 5) {
-    std::cerr << "usage: compile_limbed_robots [--run SELFCHECK] TOOL DIR FIRST COUNT COMPILER...\n";
+    std::cerr << "usage: compile_limbed_robots [--run SOURCES] TOOL DIR FIRST COUNT COMPILER...\n";
     return 2;
   }
   const std::string tool = arguments[0];

@@ -81,9 +81,10 @@ std::size_t add_identifier(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// Whether this is the point of `group.name`.
+// Whether this is the point of `group.name`, or of `group.^name`.
 bool at_member(std::string_view text, std::size_t at) {
-  return text[at] == '.' && at > 0 && is_word(text[at - 1]) && is_letter(character(text, at + 1));
+  const std::size_t name = at + (character(text, at + 1) == '^' ? 2 : 1);
+  return text[at] == '.' && at > 0 && is_word(text[at - 1]) && is_letter(character(text, name));
 }
 
 std::size_t add_symbol(const Lexing& lexing, std::size_t begin) {

@@ -8,14 +8,6 @@ namespace robcogen::reference {
 inline constexpr Tolerance kFactor{
     "kFactor", 1e-12, "rounding of sums whose terms are bounded by the diagonal of H, carried through its inverse"};
 
-// The results of a subject for one q, and for one x.
-struct FactorResults {
-  Matrix<double> L;
-  Matrix<double> inverse_L;
-  Matrix<double> inverse;   // of H
-  Vector<double> solution;  // H^-1 x
-};
-
 // Whether a rotor is on a link that does not carry its joint.
 inline bool has_rotor_elsewhere(const Robot& robot) {
   for (int turning = 0; turning < robot.joints.size; ++turning)

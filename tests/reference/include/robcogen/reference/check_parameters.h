@@ -16,17 +16,6 @@ typename R::Parameters parameters_of(const std::vector<double>& values) {
   return typename R::Parameters(array);
 }
 
-// The mass of all that moves; zero where all of it is massless.
-template <class Subject>
-void check_total_mass(const Subject& subject, const Robot& robot, Checks& checks, int sample) {
-  Real mass = 0;
-  for (const reflection::Link& link : robot.links) {
-    if (robot.floating_base || link.parent_joint >= 0) mass += link.mass;
-  }
-  const Real difference = std::abs(subject.total_mass() - mass);
-  checks.record("total_mass", kInertia, difference == 0 ? 0 : difference / mass, sample);
-}
-
 // The number of cached quantities that differ.
 template <class Parameters>
 Real differences(const Parameters& a, const Parameters& b) {

@@ -1,8 +1,10 @@
 // The subject of checks: evaluates the functions of a robot, compiled or interpreted, with fixed or floating base.
 //
-// The checks are written over any type with the members of CompiledRobot (compiled_robot.h): vectors of run-time size,
-// the base's six coordinates first where the base floats.
+// The checks are templates over any type with the members of CompiledRobot (compiled_robot.h): vectors have run-time size,
+// and the six coordinates of a floating base come first. Self-checks instantiate them once, for AnySubject.
 #pragma once
+
+#include <vector>
 
 #include "robcogen/reference/dynamics.h"
 
@@ -27,6 +29,14 @@ struct Derivatives {
   Matrix<double> q, qd, last;  // by joint; the last are qdd, or tau of forward dynamics
   Matrix<double> base_rotation, base_velocity,
       base_acceleration;  // of a floating base, as far as the function has them
+};
+
+// The factor L of H for one q, and H^-1 x for one x.
+struct FactorResults {
+  Matrix<double> L;
+  Matrix<double> inverse_L;
+  Matrix<double> inverse;   // of H
+  Vector<double> solution;  // H^-1 x
 };
 
 inline TransformForms operator*(const TransformForms& a, const TransformForms& b) {
