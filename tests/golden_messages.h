@@ -1,8 +1,7 @@
-// Messages as a user sees them: a document bad/<name>.<extension> must yield exactly bad/<name>.expected (nothing for a
-// document that is fine).
+// Messages as a user sees them: a document bad/<name>.<extension> must produce exactly bad/<name>.expected (nothing if
+// the document is correct).
 //
-// With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
-// review.
+// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +26,7 @@ inline std::string contents(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A source that messages call by the file's name alone.
+// A source that messages refer to by its file name alone.
 inline std::shared_ptr<const Source> source_of_file(const std::filesystem::path& path) {
   return std::make_shared<Source>(path.filename().string(), contents(path));
 }
@@ -44,21 +43,21 @@ inline std::vector<std::filesystem::path> files(
   return result;
 }
 
-// The names of the documents of a folder, without these extensions.
+// The names of the documents in a folder, without their extensions.
 inline std::vector<std::string> stems(const std::filesystem::path& folder, const std::set<std::string>& extensions) {
   std::vector<std::string> result;
   for (const std::filesystem::path& file : files(folder, extensions)) result.push_back(file.stem().string());
   return result;
 }
 
-// The name of a test of this document: its stem.
+// The name of the test for this document: its stem.
 inline std::string test_name(const testing::TestParamInfo<std::string>& document) {
   std::string name = document.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-// Compares messages with the file, or writes it.
+// Compares the messages with the file, or writes the file.
 inline void expect_messages(const std::string& messages, const std::filesystem::path& expected) {
   if (std::getenv("ROBCOGEN_ACCEPT_MESSAGES") != nullptr) {
     std::ofstream(expected, std::ios::binary) << messages;
@@ -68,7 +67,7 @@ inline void expect_messages(const std::string& messages, const std::filesystem::
   EXPECT_EQ(messages, contents(expected));
 }
 
-// The first groups of all matches.
+// The first capture group of each match.
 inline std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::set<std::string> result;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) result.insert((*it)[1]);
@@ -83,7 +82,7 @@ inline std::set<std::string> shown_codes(const std::filesystem::path& folder) {
   return shown;
 }
 
-// Each of these codes, at least so many, must be shown by a document of the folder.
+// Checks that a document of the folder shows each of these codes, and that there are more than `at_least` codes.
 inline void expect_documents(
     const std::set<std::string>& codes,
     const std::filesystem::path& folder,

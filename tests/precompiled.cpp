@@ -1,1 +1,1 @@
-// Of the targets that compile headers once for others: a library has a source.
+// Source of the object libraries that compile headers once for other targets: a library needs a source.

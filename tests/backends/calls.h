@@ -1,4 +1,4 @@
-// Libraries, and random arguments of their functions, for the tests of languages.
+// Libraries and random arguments of their functions, for the tests of the output languages.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace robcogen::test {
 
-// The library of a robot document, with its list of desired transforms where one stands beside it; or of a
+// Returns the library of a robot document, with its desired-transforms list if there is one next to it, or of a
 // document of motions or transforms; with these derivatives.
 backend::Library library_of(
     const std::filesystem::path& document,
@@ -22,20 +22,20 @@ backend::Library library_of(
     const std::vector<std::string>& groups = algorithm::groups(),
     const backend::Features& features = {});
 
-// Derivatives of the dynamics of a robot: solved for in a loop over columns, and written out for the interpreter.
+// Derivatives of a robot's dynamics: solved for in a loop over columns, and written out for the interpreter.
 struct ColumnLoopLibraries {
   backend::Library in_loops, written_out;
 };
 ColumnLoopLibraries column_loop_libraries(const std::string& robot);
 
-// Of both signs, up to 2; parameters above 0.5.
-// Loops close near the position in which they are assembled.
+// Values lie between -2 and 2; parameters are above 0.5. Positions of robots with loops lie within 0.1, because loops
+// close only near the position in which they are assembled.
 symbolic::Arrays<double> random_inputs(
     const backend::Library& library,
     const symbolic::Program& program,
     std::mt19937_64& engine);
 
-// All results one after another, matrices by rows.
+// All results one after another, matrices row by row.
 std::vector<double> flattened(const symbolic::Program& program, const symbolic::Arrays<double>& results);
 
 }  // namespace robcogen::test

@@ -1,5 +1,5 @@
-// Every function of a library over many states against single calls, state by state. Compiled once a robot, with CALLS,
-// a header that write_calls makes.
+// Compares every function of a library over many states with single calls, state by state. Compiled once per robot,
+// with CALLS, a header that write_calls makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,15 +19,15 @@ namespace {
 using batch::Level;
 using reference::available_levels;
 
-// Of the largest number of a state's results: products fuse with other sums, and errors of a few hundred roundings add
-// up in solutions of equations.
+// Relative to the largest number of a state's results: products fuse with other sums, and solutions of equations
+// accumulate errors of a few hundred roundings.
 template <class Scalar>
 constexpr double kTolerance = 450 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());  // 1e-13 in double
 
 constexpr int kGap = 3;  // numbers beyond the states, or beyond the elements of a state
 constexpr int kGuard = 16;
 
-// Numbers of n states in one layout, between guards, with gaps.
+// Numbers of n states in one layout, with gaps, between guards.
 template <class Scalar>
 class Array {
  public:
@@ -44,7 +44,7 @@ class Array {
     return data()[by_state_ ? state * stride() + element : element * stride() + state];
   }
 
-  // Whether nothing stands where no state has an element.
+  // True if nothing was written outside the elements of states.
   bool is_clean() {
     Array other(n_, elements_, by_state_);
     for (std::ptrdiff_t i = 0; i < n_; ++i)
@@ -97,7 +97,8 @@ std::vector<Scalar> single(const Call<Scalar>& call, const std::vector<std::vect
   return results;
 }
 
-// Of a function of the lower triangle alone: the whole matrix, after a look at what stands above the diagonal.
+// For a function that computes only the lower triangle: returns the whole matrix, after checking that nothing was
+// written above the diagonal.
 template <class Scalar>
 std::vector<Scalar> whole(const Call<Scalar>& call, std::vector<Scalar> matrix) {
   const auto rows = static_cast<std::size_t>(call.lower_rows);
@@ -150,7 +151,7 @@ std::vector<std::vector<Scalar>> many(
   return results;
 }
 
-// The largest difference, of the largest number expected.
+// The largest difference, relative to the largest expected number.
 template <class Scalar>
 double error(const std::vector<Scalar>& found, const std::vector<Scalar>& expected) {
   double largest = 1, difference = 0;

@@ -1,4 +1,4 @@
-// A function of a library, over one state and over many.
+// A function of a library, over one state and over many states.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct Arguments {
 
 template <class Scalar>
 struct Call {
-  // A negative size: gravity, that the function over many states does without and takes as standard gravity.
+  // A negative size stands for gravity: the function over many states has no such argument and takes standard gravity.
   template <class Batch>
   Call(
       std::string call_name,
@@ -66,13 +66,13 @@ struct Call {
 
   std::string name;
   std::vector<int> input_sizes, output_sizes;
-  int lower_rows;  // of a matrix whose lower triangle alone is computed; 0: all of it is
+  int lower_rows;  // rows of a matrix of which only the lower triangle is computed; 0 for others
   std::vector<bool> is_standard_gravity;
   std::function<void(const Scalar* const* in, Scalar* const* out)> single;
   std::function<void(const Arguments<Scalar>&)> by_element, by_state;
 };
 
-// All of a library.
+// All functions of a library.
 template <class Scalar>
 std::vector<Call<Scalar>> calls();
 

@@ -1,5 +1,5 @@
-// Functions over many states on several threads: the bits of one call, each state once. Watched by the thread sanitizer
-// where the compiler has it.
+// Functions over many states on several threads give the bits of one call, and compute each state once. The thread
+// sanitizer checks this, if the compiler has it.
 #include "robcogen/parallel.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<double> random_numbers(std::ptrdiff_t count) {
   return numbers;
 }
 
-// Calls in reverse order on one thread, and how long the blocks were.
+// Calls the tasks in reverse order on one thread, and records the number of blocks.
 struct Backwards {
   template <class Task>
   void operator()(std::ptrdiff_t count, const Task& task) {
@@ -39,7 +39,7 @@ struct Backwards {
 constexpr auto kInverseDynamics = [](const auto&... a) { parallel_leg::batch::inverse_dynamics(a...); };
 constexpr auto kInertia = [](const auto&... a) { parallel_leg::batch::joint_space_inertia(a...); };
 
-// Sizes around those of blocks: 1,365 states of 192 bytes fit, which is 21 times 64.
+// Sizes around those of blocks: 1,365 states of 192 bytes fit, which is rounded down to 21 times 64.
 const std::ptrdiff_t kSizes[] = {0, 1, 63, 64, 65, 1344, 1345, 5000};
 
 class Parallel : public testing::TestWithParam<unsigned> {};
@@ -76,7 +76,7 @@ TEST_P(Parallel, IsOneCallByState) {
   }
 }
 
-// A function may call several, whose results meet in one block.
+// A task may call several functions, whose results meet in one block.
 TEST_P(Parallel, CallsSeveralFunctionsInTurn) {
   ThreadPool pool(GetParam());
   constexpr std::ptrdiff_t kCount = 3000;
@@ -94,7 +94,7 @@ TEST_P(Parallel, CallsSeveralFunctionsInTurn) {
   EXPECT_EQ(found, expected);
 }
 
-// Blocks of blocks. The outer ones are of 4,096 states, as nothing tells them how large a state is.
+// Blocks can be divided into blocks. The outer ones have 4,096 states, because nothing tells them how large a state is.
 TEST(Blocks, MayBeDividedAgain) {
   constexpr std::ptrdiff_t kCount = 5000;
   const std::vector<double> q = random_numbers(kDof * kCount);
@@ -140,7 +140,7 @@ TEST_P(Pool, CallsEachTaskOnce) {
   EXPECT_EQ(pool.threads(), std::max(1U, GetParam()));
   for (const std::ptrdiff_t count : {0, 1, 2, 3, 1000}) {
     for (int round = 0; round < 100; ++round) {
-      std::vector<int> calls(static_cast<std::size_t>(count));  // plain numbers: each is one thread's
+      std::vector<int> calls(static_cast<std::size_t>(count));  // plain numbers, because each is written by one thread
       pool(count, [&](std::ptrdiff_t i) { ++calls[static_cast<std::size_t>(i)]; });
       ASSERT_EQ(calls, std::vector<int>(calls.size(), 1));
     }

@@ -1,4 +1,4 @@
-// write_calls MODEL DESIRED NAME FILE group…: the text of a header with a row for each function of the robot's batches.
+// write_calls MODEL DESIRED NAME FILE group…: writes a header with a row for each function of the robot's batches.
 //
 // The functions are those that the generator knows; a new algorithm is included automatically.
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::string braced(const std::vector<std::string>& items) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
 
-// `space` is that of the precision: hyl, hyl::f32.
+// `space` is the namespace of the precision: hyl, hyl::f32.
 std::string input_type(const std::string& space, const symbolic::InputArray& input) {
   const auto rows = static_cast<int>(std::lround(std::sqrt(static_cast<double>(input.elements.size()))));
   const std::string type =
@@ -32,7 +32,7 @@ std::string input_type(const std::string& space, const symbolic::InputArray& inp
   return fmt::format("{}::{}", space, type);
 }
 
-// Of a symmetric matrix, the lower triangle alone, where `is_lower`.
+// With `is_lower`, the row of a symmetric matrix is for its lower triangle only.
 std::string row(
     const Api& api,
     const std::string& space,

@@ -1,4 +1,4 @@
-// Scalars of the user's own through the text of the kernels: a dual number, and complex numbers.
+// Kernels with scalar types of the user: dual numbers and complex numbers.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ struct State {
   std::array<Scalar, 2> q{Scalar(0.3), Scalar(-0.8)}, qd{Scalar(0.7), Scalar(1.1)}, x{Scalar(-0.4), Scalar(0.9)};
   std::array<Scalar, 3> gravity{Scalar(0.5), Scalar(-0.1), Scalar(-9.0)};
 
-  // The state's k-th number.
+  // The k-th number of the state.
   Scalar& operator[](std::size_t k) { return k < 2 ? q[k] : k < 4 ? qd[k - 2] : k < 6 ? x[k - 4] : gravity[k - 6]; }
 };
 
@@ -73,7 +73,7 @@ TEST(Autodiff, ForwardDynamics) {
   expect_same_derivatives([](const auto& state) { return forward(state); });
 }
 
-// Rounding in double anywhere in a kernel would leave errors of some 1e-16.
+// Rounding to double anywhere in a kernel would leave errors of about 1e-16.
 TEST(Autodiff, LongDoubleKeepsItsDigits) {
   const State<long double> given;
   State<long double> state = given;

@@ -1,4 +1,5 @@
-# The same bytes in another directory and under another locale: WRITE_SAMPLES, FIRST (from the build), SECOND.
+# Checks that the bytes are the same in another directory and under another locale. Variables: WRITE_SAMPLES, FIRST
+# (from the build), SECOND.
 file(REMOVE_RECURSE ${SECOND})
 foreach(locale C de_DE.UTF-8)
   set(ENV{LC_ALL} ${locale})

@@ -1,4 +1,4 @@
-# Generated text is formatted as the project's own: CLANG_FORMAT, STYLE (file), DIRECTORIES.
+# Checks that generated text is formatted like the project's own. Variables: CLANG_FORMAT, STYLE (file), DIRECTORIES.
 set(files "")
 foreach(directory IN LISTS DIRECTORIES)
   file(GLOB_RECURSE found ${directory}/*.h ${directory}/*.inc ${directory}/*.cpp)

@@ -1,4 +1,5 @@
-# Every name that SCRIPT finds on this machine is in the list beside it. WORK_DIR: for the lists that it writes.
+# Checks that the list beside SCRIPT contains every name that SCRIPT finds on this machine. WORK_DIR is for the lists
+# that it writes.
 cmake_path(GET SCRIPT PARENT_PATH folder)
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})

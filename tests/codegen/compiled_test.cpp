@@ -1,4 +1,4 @@
-// Compiled functions against the interpreter, which runs the same programs without a compiler.
+// Compares compiled functions with the interpreter, which runs the same programs without a compiler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,8 @@
 namespace robcogen::test {
 namespace {
 
-// The compiler may fuse a product into a sum, the interpreter does not: a few roundings of terms of size one.
+// The compiler may fuse a product into a sum, the interpreter does not: the results differ by a few roundings of terms
+// of size one.
 constexpr double kRounding = 1e-13;
 constexpr double kFloatRounding = 1e-4;
 constexpr int kStates = 50;
@@ -41,7 +42,7 @@ class Inputs {
     return v;
   }
 
-  // The program's outputs for the arrays that were taken; others that it reads are zero, or as `extra` says.
+  // Returns the program's outputs for the arrays that were taken; other inputs are zero, or given by `extra`.
   Arrays run(const backend::Library& library, const std::string& kernel, const Arrays& extra = {}) const {
     for (const backend::Function& f : library.functions) {
       if (f.kernel != kernel) continue;
@@ -122,7 +123,7 @@ TEST(Compiled, FixedBaseDynamics) {
   }
 }
 
-// Physical identities between the functions hold for any implementation.
+// Physical identities between the functions hold for every implementation.
 TEST(Compiled, FunctionsOfOneRobotAgree) {
   using namespace cart_pole;
   Inputs in;
@@ -170,7 +171,7 @@ TEST(Compiled, FloatingBaseDynamics) {
       else
         expect_near(actual.base_acceleration.vector(), expected.at("base_acceleration"));
     };
-    // Every function with gravity, and with external wrenches too.
+    // Every function with gravity, and also with external wrenches.
     const auto expect_all = [&](const std::string& kernel, const auto& call) {
       expect(call(kStandardGravity), kernel, kStandard);
       expect(call(g), kernel);

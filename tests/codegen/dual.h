@@ -1,7 +1,7 @@
-// A dual number of the tests' own: value and derivative.
+// A dual number for the tests: a value and a derivative.
 //
-// Nothing converts implicitly, and there is nothing but what a scalar must have: whatever more a kernel asked for would
-// not compile.
+// There are no implicit conversions, and only the operations that a scalar must have: a kernel that needs more does not
+// compile.
 #pragma once
 
 #include <cmath>

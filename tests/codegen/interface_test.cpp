@@ -64,7 +64,8 @@ TEST(Interface, ResultsHaveTheirTypes) {
   EXPECT_EQ(base_acceleration.vector().size(), 6);
 }
 
-// Made from a position only, of its own type in either precision; nothing in it allocates or throws.
+// The factor is made from a position only and has its own type in each precision; no function of it allocates or
+// throws.
 TEST(Interface, FactorOfTheInertiaMatrix) {
   using namespace cart_pole;
   const JointState q(0.3, -0.4);
@@ -81,7 +82,7 @@ TEST(Interface, FactorOfTheInertiaMatrix) {
   EXPECT_EQ(factor.solve(q + q), factor.solve(2 * q));
 }
 
-// Expressions of Eigen are accepted as arguments, in either precision.
+// Eigen expressions are accepted as arguments, in either precision.
 TEST(Interface, TakesExpressions) {
   const cart_pole::JointState q(0.1, 0.2);
   EXPECT_EQ(cart_pole::gravity_forces(q + q), cart_pole::gravity_forces(cart_pole::JointState(0.2, 0.4)));

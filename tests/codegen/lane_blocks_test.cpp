@@ -1,4 +1,4 @@
-// Blocks of lanes against single elements.
+// Compares blocks of lanes with single elements.
 #include "robcogen/lane_blocks.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class LaneBlocksOf : public testing::Test {};
 
 TYPED_TEST_SUITE(LaneBlocksOf, LaneShapes);
 
-// Lane i of value k, all different.
+// Lane i of value k; all of them are different.
 template <class Scalar>
 Scalar number(int k, int i) {
   return static_cast<Scalar>(100 * k + i);
@@ -40,7 +40,7 @@ std::vector<Scalar> memory(int count, int stride, int size) {
   return elements;
 }
 
-// The compiler reads each of hundreds of shapes: what they have in common is here.
+// There are hundreds of shapes: code that they share is compiled only once.
 template <class Scalar>
 void expect_equal(const std::vector<Scalar>& found, const std::vector<Scalar>& expected, int count, int stride) {
   EXPECT_EQ(found, expected) << count << " values, distance " << stride;

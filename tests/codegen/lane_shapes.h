@@ -1,4 +1,5 @@
-// The lanes that are tested: of every size, of scalars that processors have vectors of and one that they do not.
+// The lanes that are tested: all sizes, with scalars for which processors have vectors, and with one for which they
+// have none.
 #pragma once
 
 #include <gtest/gtest.h>

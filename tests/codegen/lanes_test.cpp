@@ -1,4 +1,4 @@
-// Lanes compared with the same operation on each scalar.
+// Compares lanes with the same operation on each scalar.
 #include "robcogen/lanes.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TYPED_TEST(LanesOf, ConvertBetweenPrecisions) {
   }
 }
 
-// The polynomials are those of single angles, whose error sincos_of_test measures.
+// The polynomials are those for single angles, whose errors sincos_of_test measures.
 TYPED_TEST(LanesOf, SinesAreThoseOfSingleAngles) {
   using Scalar = typename TypeParam::Scalar;
   constexpr int kSize = TypeParam::kSize;
@@ -177,7 +177,7 @@ TYPED_TEST(LanesOf, SinesOfSmallAnglesAreTheSame) {
   }
 }
 
-// Of as many angles as lanes, and of one more: blocks, and one with elements of the block before, that count twice.
+// For as many angles as lanes, and for one more: with whole blocks, and with a last block that overlaps the one before.
 template <int kCount, class Scalar>
 void expect_judged() {
   constexpr bool kSingle = std::is_same_v<Scalar, float>;
@@ -202,7 +202,7 @@ TYPED_TEST(LanesOf, LargeAnglesAreFoundAtEachPlace) {
   expect_judged<TypeParam::kSize + 1, typename TypeParam::Scalar>();
 }
 
-// As functions over limbs in lanes have them, evaluated for several states.
+// Functions over limbs in lanes have such types when they are evaluated for several states.
 TEST(Lanes, MayBeLanesThemselves) {
   using Inner = Lanes<double, 4>;
   using Outer = Lanes<Inner, 4>;

@@ -1,4 +1,4 @@
-// Lines of kernels are called after what they compute, and seldom numbered.
+// Lines of kernels are named after what they compute, and seldom numbered.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 namespace robcogen::test {
 namespace {
 
-// Numbered within its section, numbered because another line has the name already, or lanes with nothing in common.
+// True for a name that is numbered within its section, numbered because another line has that name, or of lanes with
+// nothing in common.
 bool is_numbered(const std::string& name) {
   static const std::regex pattern("(.*_t[0-9]+)|(.*_[0-9]+)|(lanes.*)|(t[0-9]+)");
   return std::regex_match(name, pattern);

@@ -1,4 +1,4 @@
-// Names that system headers reserve, and then a robot and transforms with such names.
+// Names that system headers reserve, followed by a robot and transforms with such names.
 #include <assert.h>
 #include <complex.h>
 #include <errno.h>

@@ -23,13 +23,13 @@ int occurrences(const std::string& line, const std::string& what) {
   return count;
 }
 
-// Binary operators stand between blanks; a unary minus does not, and is not an operation.
+// Binary operators are surrounded by blanks; a unary minus is not, and does not count as an operation.
 void add_operators(const std::string& line, Counts& counts) {
   counts[0] += occurrences(line, " * ");
   counts[1] += occurrences(line, " + ") + occurrences(line, " - ");
   counts[2] += occurrences(line, " / ");
   counts[3] += occurrences(line, "sqrt(");
-  // `const auto [s_q, c_q] = trig_2[1];`: of those that are computed together.
+  // `const auto [s_q, c_q] = trig_2[1];`: one of those that are computed together.
   static const std::regex picked(R"(.*\] = trig(_\d+)?\[.*)");
   for (const char* call : {"sincos(", "sincos_of_small(", " = sin(", " = cos("}) counts[4] += occurrences(line, call);
   counts[4] += std::regex_match(line, picked);
@@ -60,8 +60,8 @@ std::string name_behind(const std::string& word, const std::string& line) {
   return line.substr(begin, line.find('(', begin) - begin);
 }
 
-// Returns the number of kernels in the file. A kernel that calls its core has the operations of the core, with a sine
-// and cosine of each angle that it reads; one in parts has the operations of its parts, before it.
+// Returns the number of kernels in the file. A kernel that calls its core has the operations of the core, plus a sine
+// and cosine for each angle that the core reads. A kernel in parts has the operations of its parts, which precede it.
 int check_file(const fs::path& path) {
   std::ifstream file(path);
   int kernels = 0;
@@ -69,7 +69,7 @@ int check_file(const fs::path& path) {
   Counts expected{}, found{};
   std::set<int> angles;
   std::string name;
-  std::map<std::string, Counts> cores;  // with the sines and cosines that they are given
+  std::map<std::string, Counts> cores;  // including the sines and cosines that they are given
   for (std::string line; std::getline(file, line);) {
     if (line == "namespace core {") in_cores = true;
     if (line == "}  // namespace core") in_cores = false;

@@ -46,7 +46,7 @@ TEST(RobotsAutodiff, JacobianIsTheDerivativeOfTheTransform) {
   }
 }
 
-// Along a motion q + qd t, qd + qdd t.
+// Derivatives along a motion q + qd t, qd + qdd t.
 TEST(RobotsAutodiff, DerivativesByTime) {
   const std::array<double, kJoints> q = random_numbers(8), qd = random_numbers(9), qdd = random_numbers(10);
   std::array<Dual, kJoints> moving, speeding;
@@ -67,7 +67,7 @@ TEST(RobotsAutodiff, DerivativesByTime) {
   for (std::size_t k = 0; k < Jd.size(); ++k) EXPECT_NEAR(Jd[k], J[k].derivative, kRounding);
   for (std::size_t row = 0; row < 6; ++row) {
     EXPECT_NEAR(A[row], V[row].derivative, kRounding);
-    // The columns are those of the first three joints.
+    // The columns belong to the first three joints.
     double sum = 0;
     for (std::size_t joint = 0; joint < 3; ++joint) sum += J[6 * joint + row].derivative * qd[joint];
     EXPECT_NEAR(Jd_qd[row], sum, kRounding);

@@ -22,7 +22,7 @@ const Names kDynamics = {"inverse_dynamics", "bias_forces", "forward_dynamics", 
 const Names kAxes = {"x", "y", "z"};
 const Names kSpatial = {"wx", "wy", "wz", "vx", "vy", "vz"};
 
-// Builds one program: inputs in the order of the calls, then outputs.
+// Builds one program: inputs in the order of the calls, followed by outputs.
 class Sketch {
  public:
   symbolic::Graph graph;
@@ -118,8 +118,8 @@ struct CartPole {
         sketch.constant(kCart + kPole), kPole * kLength * c, sketch.constant(kPole * kLength * kLength + kPoleInertia)};
   }
 
-  // Forces that velocities, gravity and external wrenches cause. Gravity acts in the plane of x and z; the pole hangs
-  // along -z and turns about -y; link coordinates of the pole turn with it.
+  // The forces that velocities, gravity and external wrenches cause. Gravity acts in the x-z plane; the pole hangs
+  // along -z and turns about -y, and the link coordinates of the pole turn with it.
   Values bias(bool velocities, const Values& gravity, const Values& external) {
     sketch.graph.begin_section("link pole: bias forces", "pole");
     Values tau(2);
@@ -204,7 +204,7 @@ Function tip_transform(const std::string& form, Role role) {
   return f;
 }
 
-// Velocity of the tip (two columns) or of nothing (none), in base coordinates.
+// Jacobian of the tip (two columns) or of the base frame (no column), in base coordinates.
 Function tip_jacobian(bool empty) {
   CartPole p;
   p.take_position();
@@ -242,7 +242,7 @@ struct Array {
   Role role;
 };
 
-// A function of these inputs, each as long as its role asks for.
+// A function of these inputs, each with the length that its role requires.
 Function mixed_function(
     const Library& library,
     const std::string& group,
@@ -485,7 +485,7 @@ Library nasty() {
     f.columns = {right};
     result.functions.push_back(std::move(f));
   }
-  // As many columns as there are joints: a long list.
+  // As many columns as there are joints, which makes a long list.
   Function f = result.functions.back();
   f.name = f.kernel = "all_J_columns";
   f.columns.resize(names.size());

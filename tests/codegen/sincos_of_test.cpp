@@ -1,4 +1,4 @@
-// Sines and cosines of many angles at once, against those of long double.
+// Sines and cosines of many angles at once, compared with those in long double.
 #include "robcogen/sincos_of.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace robcogen {
 namespace {
 
 constexpr long double kHalfPi = 1.57079632679489661923132169163975144L;
-// The range of the polynomials (rad), and multiples of pi / 2 below.
+// The range of the polynomials (rad), and the number of multiples of pi / 2 within it.
 template <class Scalar>
 constexpr Scalar kLimit = std::is_same_v<Scalar, float> ? Scalar(400) : Scalar(1e5);
 template <class Scalar>
@@ -37,7 +37,7 @@ double error_in_ulp(Scalar found, long double exact) {
   return error / ulp(static_cast<Scalar>(exact));
 }
 
-// The largest errors of all angles that were added, computed seven at a time, so that vectors have unused lanes.
+// The largest errors over all angles that were added. Seven are computed at a time, so that vectors have unused lanes.
 template <class Scalar>
 class Errors {
  public:
@@ -75,7 +75,7 @@ double worst_of_random() {
   return errors.worst;
 }
 
-// Eight neighbours of each multiple of pi / 2, where sine or cosine is small and reduction loses most.
+// Eight neighbours of each multiple of pi / 2, where the sine or cosine is small and the reduction loses most digits.
 template <class Scalar>
 double worst_of_multiples() {
   Errors<Scalar> errors;
@@ -105,14 +105,14 @@ double said(const char* what, double worst) {
 TEST_F(SinCosOfManyAngles, IsWithinOneUlp) {
   const double worst = said("double, random angles", worst_of_random<double>());
   EXPECT_LT(worst, 0.9);
-  EXPECT_GT(worst, 0.4);  // the measure measures
+  EXPECT_GT(worst, 0.4);  // the measurement works
 }
 
 TEST_F(SinCosOfManyAngles, IsWithinOneUlpAtMultiplesOfARightAngle) {
   EXPECT_LT(said("double, neighbours of multiples of pi / 2", worst_of_multiples<double>()), 0.9);
 }
 
-// The largest error of float, which single precision and lanes of it are documented to have.
+// The largest error that is documented for float, in single precision and in lanes.
 constexpr double kFloatLimit = 1.5;
 
 TEST_F(SinCosOfManyAngles, OfFloatAreWithinOneAndAHalfUlp) {
@@ -137,7 +137,7 @@ double float_error(float found, double exact) {
   return std::abs(static_cast<double>(found) - exact) / float_ulp(exact);
 }
 
-// The largest error of lanes of every stride-th float below the limit, of both signs.
+// The largest error of lanes for every stride-th float below the limit, of both signs.
 template <int kSize>
 double worst_of_floats(std::uint32_t stride) {
   using L = Lanes<float, kSize>;
@@ -162,7 +162,7 @@ double worst_of_floats(std::uint32_t stride) {
   return worst;
 }
 
-// Of all floats in the exhaustive run: std::sin of double is exact enough to measure them with.
+// In the exhaustive run, all floats: std::sin of double is accurate enough to measure them.
 TEST(SinCosOfAllFloats, AreWithinOneAndAHalfUlpInLanes) {
   const char* wanted = std::getenv("ROBCOGEN_TEST_FLOAT_STRIDE");
   const auto stride = static_cast<std::uint32_t>(wanted != nullptr ? std::atoi(wanted) : 1009);
@@ -170,7 +170,7 @@ TEST(SinCosOfAllFloats, AreWithinOneAndAHalfUlpInLanes) {
   EXPECT_LT(said("float, lanes of 8", worst_of_floats<8>(stride == 1 ? 9 : stride)), kFloatLimit);
 }
 
-// Few angles, which may be left to the C library, and angles that stand apart.
+// Few angles, which may be left to the C library, and angles that are not contiguous.
 template <class Scalar>
 void expect_few() {
   const Scalar angles[6] = {Scalar(0.3), Scalar(-1.2), Scalar(2.5), Scalar(0.1), Scalar(4), Scalar(-3)};
@@ -193,7 +193,8 @@ void expect_few() {
   for (const int i : {0, 2, 4, 5}) expect(i, i);
 }
 
-// To each place the sine and cosine of its angle; to the others nothing. With angles of any size among them.
+// Writes the sine and cosine of each angle to its place, and nothing to other places. Some of the angles are of any
+// size.
 template <class Scalar, int... kTo>
 void expect_at_places() {
   constexpr int kPlaces[] = {kTo...}, kCount = sizeof...(kTo);
@@ -243,7 +244,7 @@ TEST(SinCosOf, FewAnglesAndAnglesThatStandApart) {
   expect_few<float>();
 }
 
-// An angle has the same sine in groups of any size.
+// An angle has the same sine in a group of any size.
 TEST(SinCosOf, LanesDoNotMix) {
   const double angles[9] = {0.3, -1.2, 2.5, 0.1, 4, -3, 1e-9, 77, -1234.5};
   double sine[9], cosine[9], again[9], cosine_again[9];

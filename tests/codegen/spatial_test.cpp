@@ -65,7 +65,7 @@ TEST(Spatial, KindsDoNotMix) {
   EXPECT_FALSE((std::is_convertible_v<Eigen::Vector3d, Gravity>));
 }
 
-// Safe in containers and as arguments by value, whatever vector registers the machine has.
+// The types are safe in containers and as arguments by value, whatever vector registers the machine has.
 TEST(Spatial, NoAlignmentBeyondTheScalars) {
   EXPECT_EQ(alignof(Twist), alignof(double));
   EXPECT_EQ(sizeof(Twist), 6 * sizeof(double));

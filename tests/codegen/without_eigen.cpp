@@ -1,5 +1,5 @@
-// Generated code that compiles without Eigen: constants, tables, kernels and the units that instantiate them. Before
-// them, macros of headers that users may include as well.
+// Generated code that compiles without Eigen: constants, tables, kernels and the units that instantiate them. Headers
+// that users may include, too, come first, because they define macros.
 #include <complex.h>
 #include <math.h>
 #include <sys/sysmacros.h>

@@ -1,5 +1,5 @@
-// Files of the generator include the headers of what they use, or include a file of the generator that does: a build
-// that compiles headers once for all files does not tell.
+// Each file of the generator includes the headers of what it uses, or includes a file of the generator that does. A
+// build that compiles headers once for all files does not show what is missing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every name outside of the project's that the generator uses, and its headers: any of them declares it. Names of
-// namespaces within std stand for all that is in them.
+// Every name from outside the project that the generator uses, and its headers: any of them declares it. A nested
+// namespace of std stands for all names in it.
 const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"algorithm",
      "std::adjacent_find std::all_of std::any_of std::binary_search std::clamp std::copy std::copy_if std::count "
@@ -81,7 +81,7 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"utility", "std::as_const std::exchange std::forward std::move std::pair std::swap"},
     {"variant", "std::get_if std::holds_alternative std::monostate std::variant std::visit"},
     {"vector", "std::vector"},
-    // What each container brings along.
+    // Names that each container header provides, too.
     {"cstddef array map memory optional set span string string_view unordered_map unordered_set vector", "std::size_t"},
     {"iterator array map set span string string_view unordered_map unordered_set vector",
      "std::begin std::end std::ssize"},
@@ -97,7 +97,7 @@ std::vector<std::string> words(const std::string& text) {
   return result;
 }
 
-// The headers of each name.
+// Returns the headers of each name.
 std::map<std::string, std::vector<std::string>> declarations() {
   std::map<std::string, std::vector<std::string>> result;
   for (const auto& [headers, names] : kDeclarations)
@@ -105,7 +105,7 @@ std::map<std::string, std::vector<std::string>> declarations() {
   return result;
 }
 
-// The text without string literals and comments.
+// Returns the text without string literals and comments.
 std::string without_literals(const std::string& text) {
   static const std::regex literal(
       "R\"(\\w*)\\([^]*?\\)\\1\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'|//[^\n]*|/\\*[^]*?\\*/");
@@ -148,7 +148,7 @@ Files files_of_the_tool() {
   return files;
 }
 
-// The packaged headers that a file includes, also by way of the generator's own.
+// Adds the packaged headers that a file includes, directly or through the generator's own files.
 void add_packaged(
     const Files& files,
     const std::string& name,
@@ -160,7 +160,8 @@ void add_packaged(
   for (const std::string& own : found->second.own) add_packaged(files, own, visited, result);
 }
 
-// The names in the file whose headers are not included, and those that are not in the table, in alphabetical order.
+// Returns the names in the file whose headers are not included, and those that are not in the table, in alphabetical
+// order.
 std::set<std::string> missing(const std::string& text, const std::set<std::string>& included) {
   static const auto table = declarations();
   static const std::regex used(R"((^|[^:\w])((std|fmt|nlohmann)::\w+|assert|errno|EOF|stdin|stdout|stderr)\b)");
@@ -194,7 +195,7 @@ TEST(Includes, AreMissedWhereThereAreNone) {
   EXPECT_EQ(missing("std::size_t size;", {"map"}), Names());
 }
 
-// A name that is used for the first time is entered in the table.
+// A name that is used for the first time must be added to the table.
 TEST(Includes, OfUnknownNamesAreMissed) {
   EXPECT_EQ(missing("std::lerp(a, b, 0.5);", {"cmath"}), Names{"std::lerp"});
 }

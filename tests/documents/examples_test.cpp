@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A function for each section. Declarations of the first one are visible in the others, too; templates and includes
-// stand before all.
+// Returns a program with a function for each section. The other functions repeat the declarations of the first section;
+// templates and includes come before all functions.
 std::string program(const std::vector<CodeBlock>& blocks) {
   std::string includes, templates, functions, first, section, body;
   int count = 0;
@@ -37,7 +37,7 @@ std::string program(const std::vector<CodeBlock>& blocks) {
 
 const std::string robots = ROBCOGEN_SOURCE_DIR "/robots/";
 
-// Into a folder that is new.
+// Generates code into a new folder.
 void generate(const fs::path& folder, const std::string& arguments) {
   int status = 0;
   const std::string output =
@@ -71,7 +71,7 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
     generate(folder, arguments);
   const std::string text = program(code_blocks(read_text(source_folder() / "runtime/README.md")));
   expect_to_compile(folder, text);
-  // The calls of the front page; its listing is a part of a function, and another test compares it.
+  // The calls on the front page. Its listing is part of a function, and another test compares it.
   std::string front =
       "#include <hyl/hyl.h>\nvoid calls(hyl::JointState q, hyl::JointState qd, hyl::JointState qdd) {\n";
   for (const CodeBlock& block : code_blocks(read_text(source_folder() / "README.md")))
@@ -107,7 +107,7 @@ TEST(Examples, OfDesignStudiesCompile) {
       folder, name + ".kindsl --name quadruped_parametric --effort 0 --desired " + name +
                   ".dtdsl --algorithms forward_dynamics transforms contacts");
   const std::string text = program(code_blocks(read_text(source_folder() / "robots/design/README.md")));
-  // Aliases of namespaces stand in functions, too.
+  // The functions contain namespace aliases, too.
   expect_to_compile(folder, text, "-I '" + design + "'");
   EXPECT_NE(text.find("section_4"), std::string::npos) << "too few sections have examples";
   if (!testing::Test::HasFailure()) fs::remove_all(folder);

@@ -171,7 +171,7 @@ class Deriver {
 
   std::size_t below(std::size_t count) { return random_() % count; }
 
-  // The point of `group.name` stands between them.
+  // No blank separates the point of `group.name` from its neighbours.
   void put(const std::string& token) {
     const bool is_point = token == ".";
     if (!text.empty() && !is_point && !is_after_point_) text += below(12) == 0 ? "\n" : " ";
@@ -190,7 +190,7 @@ class Deriver {
   }
 };
 
-// The ends of the matches of a node from a position.
+// Finds the positions at which a match of a node that begins at a given position can end.
 class Matcher {
  public:
   Matcher(
@@ -253,7 +253,7 @@ class Matcher {
     return all;
   }
 
-  // Parts that stand; those that may be left out, are, once nothing else fits.
+  // Matches the parts in any order; parts that may be empty are left out when nothing else fits.
   Ends in_any_order(const std::vector<NodePtr>& parts, std::size_t at) {
     if (parts.empty()) return {at};
     Ends all;
@@ -284,7 +284,7 @@ class Matcher {
   }
 };
 
-// Calls `use(node)` for a node and all nodes in it.
+// Calls `use(node)` for a node and all its descendants.
 template <class Use>
 void walk(const Node& node, Use use) {
   use(node);

@@ -1,7 +1,7 @@
-// Grammars of the guide to the languages: read, derived from at random, and matched with documents.
+// Grammars of the language guide: reads them, derives random documents, and matches them with documents.
 //
-// `'word'` literal, `"word"` one that is not reserved, NAME in capitals a token, Name a rule; ? * + | ( ) as usual, &
-// any order, tighter than |.
+// `'word'` is a literal, `"word"` a literal that is not reserved, NAME in capitals a token, Name a rule. ? * + | ( )
+// have their usual meaning; & means any order and binds tighter than |.
 #pragma once
 
 #include <map>
@@ -19,28 +19,29 @@ struct Node {
   enum class Kind { literal, name, sequence, choice, any_order, repeat };
   Kind kind = Kind::sequence;
   std::string text;                             // of a literal, or a name
-  std::vector<std::shared_ptr<const Node>> of;  // parts; one of a repetition
+  std::vector<std::shared_ptr<const Node>> of;  // parts; of a repetition, the one that repeats
   int least = 0, most = 0;                      // of a repetition
-  bool is_reserved = true;                      // a literal: `'word'`
+  bool is_reserved = true;                      // true for a literal `'word'`
 };
 
 class Grammar {
  public:
-  // Rules `Name ::= …` of the text of code blocks; later ones of the same name replace earlier ones. Throws
-  // std::runtime_error where they cannot be read.
+  // Reads the rules `Name ::= …` in the text of code blocks; a later rule replaces an earlier one of the same name.
+  // Throws std::runtime_error if they cannot be read.
   explicit Grammar(const std::string& text);
 
   const std::string& first_rule() const { return first_; }
 
-  // Reserved literals that are words, of all rules that can be reached from the first one but not through `without`.
+  // Reserved literals that are words, in all rules that can be reached from the first one without passing through
+  // `without`.
   std::set<std::string> words(const std::string& without) const;
-  // Names of rules that are used and not defined, but for tokens.
+  // Names that are used but not defined by a rule, except tokens.
   std::vector<std::string> undefined() const;
 
-  // A random document, its tokens separated by blanks. Where rules nest deeper than so many levels, it takes the first
-  // of all choices and the least of all repetitions.
+  // Derives a random document with its tokens separated by blanks. Below `deepest` levels of nested rules, it takes the
+  // first alternative of each choice and the fewest repetitions.
   std::string derive(std::mt19937& random, int deepest) const;
-  // Whether the tokens, the last one the end, are a document. Words of `keywords` are not names.
+  // True if the tokens, of which the last one is the end, form a document. Words of `keywords` are not names.
   bool matches(const std::vector<language::Token>& tokens, const std::set<std::string>& keywords) const;
 
  private:

@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 
 constexpr int kDocuments = 500;  // derived from each grammar
 constexpr unsigned kSeed = 1;
-constexpr int kDeep = 8, kShallow = 3;  // rules within rules, of documents to parse and of those to change
+constexpr int kDeep = 8, kShallow = 3;  // depth of nested rules, for documents to parse and for documents to change
 constexpr std::size_t kManyTokens = 400;
 
 struct Language {
-  std::string extension;  // and what the guide's section ends in
+  std::string extension;  // of files; the title of the guide's section ends in it
   std::vector<std::string> keywords;
   std::function<void(std::shared_ptr<const Source>, Diagnostics&)> parse;
 };
@@ -44,7 +44,7 @@ std::vector<CodeBlock> blocks() {
   return code_blocks(read_text(source_folder() / "tool/language/README.md"));
 }
 
-// The rules of a language's section, then those of expressions.
+// The rules of a language's section, followed by those of expressions.
 Grammar grammar_of(const Language& language) {
   std::string rules;
   for (const std::string& section : {"." + language.extension, std::string("Expressions")})
@@ -92,7 +92,7 @@ TEST(Grammar, ParsersAcceptWhatItDerives) {
   }
 }
 
-// One token left out, doubled or moved: both accept the result, or both refuse it.
+// One token is left out, doubled or moved: grammar and parser either both accept or both refuse the result.
 TEST(Grammar, RefusesWhatParsersRefuse) {
   for (const Language& language : languages()) {
     const Grammar grammar = grammar_of(language);

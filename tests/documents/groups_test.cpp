@@ -1,4 +1,4 @@
-// The groups of functions are one list: the generator's. CMake and the guides repeat it.
+// The generator defines the list of function groups; CMake and the guides repeat it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Words split(const std::string& text, char separator) {
   return words;
 }
 
-// The help of `robcogen generate` about --algorithms.
+// The groups that the help of `robcogen generate` lists for --algorithms.
 struct Groups {
   Words all, by_default;
 };
@@ -47,7 +47,7 @@ TEST(Groups, OfCMakeAreThoseOfTheGenerator) {
   EXPECT_EQ(split(ROBCOGEN_DEFAULT_GROUPS, ','), groups.by_default);
 }
 
-// Rows | `group` | yes or no | functions | of cmake/README.md.
+// Compares the rows | `group` | yes or no | functions | of cmake/README.md.
 TEST(Groups, OfTheGuideAreThoseOfTheGenerator) {
   const Groups groups = groups_of_tool();
   Groups shown;
@@ -61,7 +61,7 @@ TEST(Groups, OfTheGuideAreThoseOfTheGenerator) {
   EXPECT_EQ(shown.by_default, groups.by_default);
 }
 
-// Rows | `KEYWORD`, `KEYWORD` | meaning | of cmake/README.md have every keyword of the two functions.
+// The rows | `KEYWORD`, `KEYWORD` | meaning | of cmake/README.md list every keyword of the two functions.
 TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
   const auto words_of = [](const std::string& text) {
     Words words;

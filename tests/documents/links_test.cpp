@@ -1,4 +1,4 @@
-// Every relative link of every guide leads to a file or folder of the project, and to a heading in it.
+// Every relative link of every guide leads to an existing file or folder of the project, and to an existing heading.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The fault of a link in this guide; empty when there is none.
+// Returns what is wrong with a link in this guide; empty if it is right.
 std::string fault(const fs::path& guide, const std::string& link) {
   const std::string file = link.substr(0, link.find('#'));
   const fs::path target =
@@ -25,7 +25,7 @@ std::string fault(const fs::path& guide, const std::string& link) {
 }
 
 TEST(Links, LeadToFilesAndHeadings) {
-  // A title of a link may hold `code`, which is left out with its brackets' content.
+  // Link titles may contain `code`, which `without_code` removes, so the pattern does not read them.
   const std::regex pattern(R"(\]\(([^)\s]+)\))");
   const std::vector<fs::path> all = guides();
   std::size_t count = 0;

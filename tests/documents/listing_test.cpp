@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The statements of the first function of a kernel, from its first comment in the body to its end.
+// The statements of a kernel's first function, from the first comment in its body to its end.
 std::string statements(const std::string& kernel) {
   const std::size_t body = kernel.find(") noexcept {\n");
   const std::size_t begin = kernel.find("\n  // ", body) + 1, end = kernel.find("\n}\n", begin) + 1;

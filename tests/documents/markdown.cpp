@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Calls `text(line)` for lines outside of code blocks, `code(line)` for those inside, the opening fence included.
+// Calls `text(line)` for lines outside code blocks and `code(line)` for lines inside them, including the opening fence.
 template <class Text, class Code>
 void walk(const std::string& guide, Text text, Code code) {
   bool is_code = false;

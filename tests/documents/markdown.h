@@ -1,4 +1,4 @@
-// Guides, and their contents.
+// The guides and their contents.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +11,30 @@ std::filesystem::path source_folder();
 
 std::string read_text(const std::filesystem::path& path);
 
-// Every guide of the project, relative to its folder.
+// Every guide of the project, relative to the project's folder.
 std::vector<std::filesystem::path> guides();
 
 struct CodeBlock {
-  std::string section;   // title of the second level that it stands below; empty before the first
+  std::string section;   // second-level heading above it; empty before the first
   std::string language;  // the word after the fence
   std::string text;
 };
 
 std::vector<CodeBlock> code_blocks(const std::string& guide);
 
-// The guide without its code blocks and without `code` in lines.
+// The guide without its code blocks and inline `code`.
 std::string without_code(const std::string& guide);
 
-// Places that a link may name, as GitHub makes them of headings.
+// The anchors that GitHub generates from headings.
 std::vector<std::string> anchors(const std::string& guide);
 
-// Rows of all tables, as cells without blanks around them.
+// The rows of all tables, as cells without surrounding blanks.
 std::vector<std::vector<std::string>> table_rows(const std::string& guide);
 
-// A path for temporary files of one test: no other process has it.
+// A path for temporary files that no other process uses.
 std::filesystem::path scratch(const std::string& name);
 
-// Runs a command of the shell and returns its output, errors included; sets its exit status.
+// Runs a shell command, sets its exit status, and returns its output, errors included.
 std::string output_of(const std::string& command, int& status);
 
 }  // namespace robcogen::test

@@ -1,4 +1,4 @@
-// The pictures of the guides are those that the project draws.
+// The pictures in the guides are those that the project draws.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The simulation rounds differently on other processors; a picture has a tenth of a pixel.
+// The simulation rounds differently on other processors, and pictures have a resolution of a tenth of a pixel.
 constexpr double kPixels = 0.5;
 
 std::string draw(const std::string& command) {
@@ -28,7 +28,7 @@ std::string draw(const std::string& command) {
   return drawing;
 }
 
-// The numbers of a text, and the text between them.
+// Returns the numbers of a text, and the text between them.
 std::pair<std::vector<double>, std::string> numbers(const std::string& text) {
   std::pair<std::vector<double>, std::string> result;
   for (std::size_t at = 0; at < text.size();) {

@@ -24,7 +24,7 @@ TEST(DriveConstants, Limits) {
   static_assert(driven::kJointLimits[1].upper == robcogen::kUnlimited);
 }
 
-// Values of parameters are the defaults.
+// Values of parameters are their defaults.
 TEST(DriveConstants, OfParameters) {
   EXPECT_EQ(tuned::kJointDrives[0].damping, 0.2);
   EXPECT_EQ(tuned::kJointDrives[0].armature, 0.08);
@@ -42,7 +42,7 @@ TEST(DriveConstants, ParametersChangeForces) {
   EXPECT_NEAR(difference(1), -1.0, 1e-12);
 }
 
-// The sign of the velocity, in both precisions; none at rest.
+// Friction has the sign of the velocity, in both precisions, and is zero at rest.
 TEST(DriveConstants, FrictionJumps) {
   const auto friction = [](double qd) {
     driven::JointState q, rates;

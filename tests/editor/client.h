@@ -1,4 +1,4 @@
-// An editor that speaks with the server in memory.
+// An editor that talks to the server in memory.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ struct Transcript {
   bool ended_well = false;
 };
 
-// What the server answers to these bytes, which arrive in pieces of `piece`.
+// Runs the server on these bytes, which arrive in pieces of size `piece`.
 inline Transcript served(const std::string& bytes, std::size_t piece = 1 << 20) {
   std::size_t at = 0;
   std::string output;
@@ -69,7 +69,7 @@ inline Transcript served(const std::string& bytes, std::size_t piece = 1 << 20) 
   return transcript;
 }
 
-// A session that is initialized, with UTF-8 positions unless other ones are asked for.
+// An initialised session, with UTF-8 positions by default.
 class Client {
  public:
   explicit Client(const std::filesystem::path& folder = {}, bool utf8 = true) {
@@ -80,7 +80,7 @@ class Client {
     tell("initialized");
   }
 
-  // The result, or null with `error` set.
+  // Returns the result, or null with `error` set.
   Json ask(const std::string& method, const Json& parameters) {
     error = nullptr;
     const std::vector<Json> answers = send(request(++id_, method, parameters));
@@ -92,7 +92,7 @@ class Client {
     }
     return answers[0].at("result");
   }
-  // About a place in a document.
+  // Asks about a position in a document.
   Json ask_at(
       const std::string& method,
       const std::string& uri,
@@ -123,7 +123,7 @@ class Client {
   }
   void close(const std::string& uri) { tell("textDocument/didClose", {{"textDocument", {{"uri", uri}}}}); }
 
-  // Of the first place of the word, which may mark the place itself: `li|nk`.
+  // The position of the first occurrence of the word, in which a bar may mark the exact place: `li|nk`.
   Json position(const std::string& uri, std::string word) const {
     const std::string& text = texts.at(uri);
     const std::size_t mark = word.find('|');
@@ -146,8 +146,8 @@ class Client {
 
   Json capabilities;
   Json error;
-  std::map<std::string, Json> diagnostics;  // the last ones of each document
-  std::vector<Json> others;                 // notifications besides
+  std::map<std::string, Json> diagnostics;  // latest of each document
+  std::vector<Json> others;                 // notifications other than diagnostics
   std::map<std::string, std::string> texts;
 
  private:
@@ -166,7 +166,7 @@ class Client {
   }
 };
 
-// The text after changes as the protocol describes them, in positions of bytes.
+// Applies changes in the form of the protocol, with positions counted in bytes.
 inline std::string edited(const std::string& text, const Json& edits) {
   std::vector<std::size_t> lines = {0};
   for (std::size_t i = 0; i < text.size(); ++i)

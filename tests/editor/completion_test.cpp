@@ -1,4 +1,4 @@
-// Completion by context, and the vocabulary against the grammars of the guide.
+// Completion by context; the vocabulary is compared with the guide's grammars.
 #include <regex>
 #include <set>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-// What may stand at the mark `|` of the text.
+// The labels offered at the mark `|` in the text.
 Labels completed(const std::string& uri, std::string text) {
   const std::size_t mark = text.find('|');
   text.erase(mark, 1);
@@ -101,7 +101,7 @@ TEST(Completion, OfMotionsAndTransforms) {
   EXPECT_TRUE(has(completed("file:///c.ctdsl", "Model M\nMovedFramePos = right\n{a}_X_{b} = Tx(1.0)\n{| "), "b"));
 }
 
-// What completion offers are the words of the guide's grammars: no more, no fewer.
+// Completion offers exactly the words of the guide's grammars.
 TEST(Vocabulary, IsThatOfTheGrammars) {
   const std::string guide = contents(std::filesystem::path(TEST_SOURCE_DIR) / "../../tool/language/README.md");
   const std::vector<std::pair<std::string, driver::Language>> grammars = {
@@ -123,7 +123,7 @@ TEST(Vocabulary, IsThatOfTheGrammars) {
   }
 }
 
-// Every word that is offered in a block of a robot is one that its parser takes there.
+// The parser accepts every word that is offered in a block of a robot in that block.
 TEST(Vocabulary, OfEachBlockIsKnownToTheParser) {
   const std::set<std::string> not_of_blocks = {"",         "Robot",  "Part",      "RobotBase", "link",
                                                "children", "frames", "couplings", "sense",     "at"};

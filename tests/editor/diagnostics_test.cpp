@@ -1,4 +1,4 @@
-// Diagnostics of the server: those of the command line, at the same places.
+// The server reports the diagnostics of the command line, at the same places.
 #include <regex>
 #include <set>
 
@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 
 const fs::path kRooms = fs::path(TEST_SOURCE_DIR).parent_path();
 
-// Documents with the messages that are expected of them on the command line.
+// Documents whose messages on the command line are recorded in a file.
 std::vector<fs::path> documents() {
-  // What needs an option of the command line, and what it refuses as a file before the language sees it.
+  // Leaves out documents that need a command-line option, and files that the command line refuses before parsing.
   const std::regex options(
       "-snap|-free-mimic|-floating-base|-allow-implausible|not-original|nul\\b|utf-16|-binary|garbage|"
       "other-format|-mjcf|-urdf|unreadable-import");
@@ -32,13 +32,13 @@ std::vector<fs::path> documents() {
   return result;
 }
 
-// A document, and what it begins with where that is a byte order mark: editors leave it out.
+// Returns the document without a leading byte order mark, which editors omit.
 std::string text_for_editor(const fs::path& file) {
   std::string text = contents(file);
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
-// One message of the command line: its head, and how many characters it underlines.
+// A message of the command line: its head, and the number of underlined characters.
 struct Message {
   std::string file, severity, code, text;
   std::size_t line = 0, column = 0, width = 0;
@@ -60,7 +60,7 @@ std::vector<Message> messages_in(const std::string& rendered) {
   return result;
 }
 
-// In a range of one line, in positions of bytes.
+// Counts the characters in a range of one line, given in byte positions.
 std::size_t characters(const Client& client, const std::string& uri, const Json& range) {
   const auto begin = range["start"]["character"].get<std::size_t>(), end = range["end"]["character"].get<std::size_t>();
   const std::string text = client.texts.contains(uri) ? client.texts.at(uri) : contents(uri.substr(7));
@@ -93,7 +93,7 @@ void expect_same_diagnostics(const fs::path& file) {
         is_found = true;
         EXPECT_EQ(end["line"], begin["line"]);
         const std::size_t width = characters(client, uri, d["range"]);
-        // At the end of a line there is nothing to underline. Long lines are not shown whole on the command line.
+        // At the end of a line there is nothing to underline, and the command line shortens long lines.
         if (width != 0 && m.column < 100 && m.width < 60) {
           EXPECT_EQ(width, m.width) << d;
         }
@@ -104,7 +104,8 @@ void expect_same_diagnostics(const fs::path& file) {
   }
 }
 
-// One test for each folder: a process for each of some hundred files takes longer than what it does.
+// There is one test for each folder, because starting a process for each of hundreds of files takes longer than the
+// test itself.
 class SameDiagnostics : public testing::TestWithParam<std::string> {};
 
 TEST_P(SameDiagnostics, AsOnTheCommandLine) {
@@ -123,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("language", "model", "parts", "import"),
     [](const testing::TestParamInfo<std::string>& room) { return room.param; });
 
-// Every code that these files expect was compared, and there are many.
+// Every code that these files expect was compared, and there are many of them.
 TEST(Diagnostics, OfEveryCodeAreCompared) {
   std::set<std::string> all, compared;
   for (const char* room : {"language", "model", "parts", "import"})
@@ -188,12 +189,12 @@ TEST(Diagnostics, OfAListFollowTheRobotOfItsName) {
   EXPECT_EQ(d[0].at("code"), "unknown-frame");
 }
 
-// The robots of a folder are found by their names; those of robots/ are the example.
+// The robots of a folder are found by name; the example is the folder robots/.
 TEST(Diagnostics, OfAListFollowTheRobotInTheWorkspace) {
   Client client(kRooms.parent_path() / "robots");
   client.open("file:///nowhere/some.dtdsl", "Robot Wrist\nFrames { fr_nothing }\nTransforms {}\n");
   EXPECT_EQ(client.codes("file:///nowhere/some.dtdsl"), Codes{"unknown-frame"});
-  // Two examples have this name, until one of them is open.
+  // Two examples have this name, so the list is not checked until one of them is open.
   client.open("file:///nowhere/other.dtdsl", "Robot HyL\nFrames { fr_nothing }\nTransforms {}\n");
   EXPECT_EQ(client.codes("file:///nowhere/other.dtdsl"), Codes{"unchecked-list"});
   const fs::path hyl = kRooms.parent_path() / "robots/hyl/hyl.kindsl";

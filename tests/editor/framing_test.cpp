@@ -1,4 +1,4 @@
-// Frames in pieces, and broken ones.
+// Frames that arrive in pieces, and broken frames.
 #include "client.h"
 
 namespace robcogen::test {
@@ -10,7 +10,7 @@ std::vector<Json> greeting() {
 
 TEST(Framing, IsTheOneOfTheProtocol) {
   EXPECT_EQ(server::framed("{}"), "Content-Length: 2\r\n\r\n{}");
-  EXPECT_EQ(server::framed("\"\xc3\xa9\""), "Content-Length: 4\r\n\r\n\"\xc3\xa9\"");  // bytes are counted
+  EXPECT_EQ(server::framed("\"\xc3\xa9\""), "Content-Length: 4\r\n\r\n\"\xc3\xa9\"");  // the length counts bytes
 }
 
 TEST(Framing, PiecesOfAnySize) {
@@ -37,7 +37,7 @@ TEST(Framing, FieldsInAnyCaseAndOrder) {
   }
 }
 
-// Each broken piece is answered by one error without an id, and the messages after it are answered.
+// The server answers each broken piece with one error without an id, and then answers the messages after it.
 TEST(Framing, GoesOnAfterBrokenFrames) {
   const std::string before = frames({request(1, "initialize")}), after = frames({request(2, "shutdown")});
   const std::vector<std::string> broken = {
@@ -64,7 +64,7 @@ TEST(Framing, GoesOnAfterBrokenFrames) {
   }
 }
 
-// A length that is too large swallows the beginning of the next frame, which is read again.
+// If a frame's length is too large, the beginning of the next frame is swallowed, and the rest is read again.
 TEST(Framing, ALengthThatIsTooLargeLosesOneMessage) {
   const std::string bytes = frames({request(1, "initialize")}) + "Content-Length: 30\r\n\r\n{}" +
                             frames({request(2, "shutdown"), request(3, "shutdown")});

@@ -1,4 +1,4 @@
-// Files of tool/editors: generated ones are those of the words of the parsers, and others name all languages.
+// Files of tool/editors: generated files have the words of the parsers, and the others name all languages.
 #include <regex>
 
 #include "client.h"
@@ -26,7 +26,7 @@ TEST(Grammars, AreThoseOfTheParsers) {
   EXPECT_EQ(count, 13);
 }
 
-// The expressions of a TextMate grammar find the words, numbers and comments that the lexer finds.
+// The expressions of a TextMate grammar find the same words, numbers and comments as the lexer.
 TEST(Grammars, OfTextMateFindWhatTheLexerFinds) {
   const Json grammar = Json::parse(contents(kEditors / "vscode/syntaxes/kindsl.tmLanguage.json"));
   std::map<std::string, std::regex> patterns;

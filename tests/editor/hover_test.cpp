@@ -1,4 +1,4 @@
-// Hover texts: numbers against hand calculation, and against what the generator computes.
+// Hover texts: numbers compared with calculation by hand and with the generator's results.
 #include <regex>
 
 #include "client.h"
@@ -43,8 +43,8 @@ TEST(Hover, SaysWhatElementsAre) {
   Client client;
   const std::string uri = "file:///arm.kindsl";
   client.open(uri, kArm);
-  // The parallel axis: 0.8 - 2 * 0.25 = 0.3, 0.9 - 0.5 = 0.4. The lower link is at (0.35 + 0.25 sin 0.3, 0.3, 0.25 cos
-  // 0.3) in the upper one, whose y points down and whose z is the y of the base.
+  // By the parallel-axis theorem: 0.8 - 2 * 0.25 = 0.3, 0.9 - 0.5 = 0.4. The lower link is at (0.35 + 0.25 sin 0.3,
+  // 0.3, 0.25 cos 0.3) in the upper link, whose y axis points down and whose z axis is the y axis of the base.
   EXPECT_EQ(
       hover(client, uri, "link up|per"),
       "**link** `upper`, child of `base` via `shoulder`\n\n- mass 2 kg\n- centre of mass (0.5, 0, 0) m, in the link "
@@ -70,7 +70,7 @@ TEST(Hover, SaysWhatElementsAre) {
   EXPECT_EQ(hover(client, uri, "inertia_par|ams"), "");
 }
 
-// The crank is at 90 degrees, where the rod, as long as the distance, lies level.
+// The crank is at 90 degrees; there the rod, which is as long as the distance between the pivots, is level.
 TEST(Hover, IsOfWhereLoopsAreAssembled) {
   Client client;
   const std::string uri = "file:///bars.kindsl";
@@ -108,7 +108,7 @@ TEST(Hover, OfAPartIsThatOfAnInstance) {
   EXPECT_NE(hover(client, uri, "r_joint HA|A").find("axis (1, 0, 0)"), std::string::npos);
 }
 
-// Against the programs of the generator, in the interpreter: the origins of all frames, and the centre of mass.
+// Compares the origins of all frames and the centre of mass with the generator's programs, run by the interpreter.
 TEST(Hover, HasTheNumbersOfTheGenerator) {
   for (const char* name : {"tree5", "iiwa14", "gripper", "scara", "wrist"}) {
     Client client;
@@ -146,7 +146,7 @@ TEST(Hover, HasTheNumbersOfTheGenerator) {
   }
 }
 
-// 2 m along x of a frame that is turned by 90 degrees about z is 2 m along y; there a turn about the new x axis.
+// 2 m along x of a frame that is turned by 90 degrees about z is 2 m along y; there, a turn about the new x axis.
 TEST(Hover, OfFramesOfMotions) {
   Client client;
   const std::string uri = "file:///crane.motdsl", list = "file:///crane.dtdsl";
@@ -168,7 +168,7 @@ TEST(Hover, OfFramesOfMotions) {
   EXPECT_EQ(
       hover(client, uri, "rea|ch["), "**parameter** `reach`, a length (m)\n\n- default 0.5\n- 1 use in this document");
   EXPECT_EQ(hover(client, uri, "trz(-ro|pe)"), "**variable** `rope`\n\n- 1 use in this document");
-  // The same motion as transforms that map the other way, from the frame that is moved.
+  // The same motion as transforms in the other direction, from the moved frame.
   const std::string other = "file:///crane.ctdsl";
   client.open(
       other, "Model crane\nMovedFramePos = left\n{jib}_X_{post} = Rz(swing + PI/2.0)\n{trolley}_X_{jib} = Tx(2.5)\n");

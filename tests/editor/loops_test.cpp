@@ -1,4 +1,4 @@
-// What the editor tells of the joints that close loops, and of couplings.
+// Editor features for the joints that close loops, and for couplings.
 #include "client.h"
 
 namespace robcogen::test {
@@ -63,7 +63,7 @@ TEST_F(Loops, AreCompleted) {
   }
 }
 
-// `rad/m` is a unit and no parameter.
+// `rad/m` is a unit, not a parameter.
 TEST(Couplings, HaveUnits) {
   Client client;
   const std::string uri = file_uri(kRobots / "gripper" / "gripper.kindsl");

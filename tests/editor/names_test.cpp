@@ -1,4 +1,4 @@
-// Names: where they are declared and used, and new ones for them, across documents and instances of parts.
+// Names: declarations, uses and renames, across documents and instances of parts.
 #include "client.h"
 #include "run_tool.h"
 
@@ -53,7 +53,7 @@ class Names : public testing::Test {
   const std::string leg_ = file_uri(scratch_.path / "leg.kindsl"), biped_ = file_uri(scratch_.path / "biped.kindsl"),
                     list_ = file_uri(scratch_.path / "biped.dtdsl");
 
-  // `line:character` of places, by file.
+  // Returns `line:character` of each place, by file.
   static std::map<std::string, std::vector<std::string>> places(const Json& locations) {
     std::map<std::string, std::vector<std::string>> result;
     for (const Json& location : locations) {
@@ -63,7 +63,7 @@ class Names : public testing::Test {
     }
     return result;
   }
-  // The documents after a rename.
+  // Returns the documents after a rename.
   std::map<std::string, std::string> renamed(const std::string& uri, const std::string& word, const std::string& name) {
     const Json edit = client_.ask_at("textDocument/rename", uri, word, {{"newName", name}});
     std::map<std::string, std::string> texts = {{leg_, kLeg}, {biped_, kBiped}, {list_, kList}};
@@ -83,7 +83,7 @@ std::string with(std::string text, const std::vector<std::pair<std::string, std:
 }
 
 TEST_F(Names, TheDocumentsAreSound) {
-  // The feet have no mass.
+  // The feet are massless.
   EXPECT_EQ(client_.codes(leg_), std::vector<std::string>{"singular-inertia"});
   EXPECT_EQ(client_.codes(biped_), std::vector<std::string>{});
 }
@@ -139,7 +139,7 @@ TEST_F(Names, AreRenamedThroughPartsAndInstances) {
   expect(biped_, "si|ze[", "width", {}, {{"size", "width"}}, {});
 }
 
-// `leg.hip` of a loop is the link of the part, and the head of a loop lists instances.
+// In a loop, `leg.hip` is the part's link; the head of a loop lists instances.
 TEST_F(Names, AreRenamedInLoops) {
   const std::string list =
       "Robot Biped\nFrames { fr_trunk for leg in { left, right } { leg.fr_hip leg.end_tip } left.fr_end_sole }\n"
@@ -199,7 +199,7 @@ TEST_F(Names, ATakenNameIsRefused) {
   EXPECT_TRUE(client_.error.is_null()) << client_.error;
 }
 
-// Every name of the example robots: renamed in robot and list, the robot has the same operation counts.
+// Each name of the example robots is renamed in robot and list; the operation counts stay the same.
 TEST(Rename, LeavesExamplesTheSame) {
   for (const char* name : {"hyl", "wrist", "geared_leg"}) {
     const Scratch scratch("rename");
@@ -275,7 +275,7 @@ TEST(Outline, IsTheKinematicTree) {
   for (const Json& fold : folds) EXPECT_LT(fold.at("startLine"), fold.at("endLine"));
 }
 
-// A document that is wrong: circles, and a chain that is longer than a stack is deep.
+// Wrong documents: circles, and a chain that is too long for a recursive walk.
 TEST(Outline, SurvivesCirclesAndDepth) {
   Client client;
   client.open(

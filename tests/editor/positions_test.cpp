@@ -1,4 +1,4 @@
-// Positions against the code units that the standard library makes of the text.
+// Positions, compared with the code units into which the standard library converts the text.
 #include "server/positions.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Positions, OfRandomTexts) {
   for (int round = 0; round < 100; ++round) {
     std::string text;
     std::vector<std::size_t> begins;
-    std::vector<std::pair<std::size_t, std::size_t>> expected;  // line and unit of each piece
+    std::vector<std::pair<std::size_t, std::size_t>> expected;  // line and code unit of each piece
     std::size_t line = 0, line_begin = 0;
     for (int i = 0; i < 1000; ++i) {
       const std::string& piece = pieces[dice() % (round % 2 == 0 ? pieces.size() : 6)];

@@ -1,4 +1,4 @@
-// The server as a process.
+// Runs the server as a process.
 #include "client.h"
 #include "run_tool.h"
 

@@ -1,4 +1,4 @@
-// Quick fixes: each is applied, and what it is a fix of is gone.
+// Quick fixes: each is applied, and the diagnostic that it fixes is gone.
 #include "client.h"
 
 namespace robcogen::test {
@@ -17,7 +17,8 @@ std::size_t count(const std::vector<std::string>& codes, const std::string& code
   return static_cast<std::size_t>(std::count(codes.begin(), codes.end(), code));
 }
 
-// Of all documents that are wrong: a fix leaves fewer diagnostics of its code, or none that proposes the same.
+// Applied to all wrong documents. A fix removes its diagnostic, and fixes of each kind reduce the diagnostics of their
+// code.
 TEST(QuickFixes, RemoveWhatTheyFix) {
   std::map<std::string, int> fixed;
   for (const char* room : {"language", "model", "parts"}) {
@@ -45,7 +46,7 @@ TEST(QuickFixes, RemoveWhatTheyFix) {
       }
     }
   }
-  // Fixes of each kind did what they are for.
+  // At least one fix of each kind reduced the diagnostics of its code.
   for (const char* code :
        {"unknown-link", "unknown-joint", "missing-item", "unknown-frame", "unexpected-token", "similar-name",
         "unit-as-name", "decimal-comma", "number-runs-into-name", "signed-product", "duplicate-id",
@@ -71,7 +72,7 @@ TEST(QuickFixes, DeclareWhatIsMissing) {
   EXPECT_NE(repaired.find("r_joint shoulder {"), std::string::npos) << repaired;
 }
 
-// The text after the fix of the first diagnostic of this code.
+// Returns the text after the fix of the first diagnostic with this code.
 std::string fixed(const std::string& text, const std::string& code) {
   const std::string uri = "file:///nowhere/arm.kindsl";
   Client client;
@@ -95,7 +96,7 @@ const std::string kRod =
     "mass = 2.0  CoM = (0.5, 0.25, 0.0)  Ix = 0.0  Iy = 0.1  Iz = 0.1  Ixy = 0.0  Ixz = 0.0  Iyz = 0.0";
 
 TEST(QuickFixes, MoveMomentsToTheOrigin) {
-  // m y^2, m x^2 and m (x^2 + y^2) more; the product of inertia is m x y.
+  // The moments increase by m y^2, m x^2 and m (x^2 + y^2); the product of inertia is m x y.
   EXPECT_EQ(
       fixed(arm(kRod, "12", kPlaced), "inertia-not-positive"),
       arm("mass = 2.0  CoM = (0.5, 0.25, 0.0)  Ix = 0.125  Iy = 0.6  Iz = 0.725  Ixy = 0.25  Ixz = 0.0  Iyz = 0.0",

@@ -1,4 +1,4 @@
-// The life of a session, and what an editor may do wrong.
+// The life cycle of a session, and mistakes that an editor may make.
 #include "client.h"
 #include "run_tool.h"
 
@@ -81,7 +81,7 @@ TEST(Session, ChangesOfUnknownFilesAreIgnoredWithAWarning) {
   EXPECT_TRUE(client.diagnostics.empty());
 }
 
-// Editors send ranges only where the server asks for them; one that does nevertheless is understood.
+// Editors send range changes only if the server asks for them; a range change that arrives all the same is understood.
 TEST(Session, ChangesOfRangesAreUnderstood) {
   Client client({}, false);
   client.open("file:///a.dtdsl", "// \U0001F916 Robbot\n");
@@ -101,7 +101,7 @@ constexpr const char* kPartInFolder =
 constexpr const char* kImporter =
     "import \"leg.kindsl\"\nRobot Biped { RobotBase trunk { children { Leg left() } } }\n";
 
-// Parts in folders that the command line or the editor names: relative ones are those of the workspace.
+// Parts in folders that the command line or the editor names. Relative folders are relative to the workspace.
 TEST(Session, ImportsFromFolders) {
   const Scratch scratch("import-folders");
   for (const char* folder : {"of_command", "of_editor"}) {
@@ -134,12 +134,12 @@ TEST(Session, ImportsFromFolders) {
   EXPECT_EQ(told("of_editor", {{"importFolders", {"of_editor"}}}).find(missing), std::string::npos);
   EXPECT_EQ(
       told("of_editor", {{"importFolders", {(scratch.path / "of_editor").string()}}}).find(missing), std::string::npos);
-  // Options of another kind are left alone.
+  // Options of the wrong type are ignored.
   for (const Json& wrong : {Json({{"importFolders", "of_editor"}}), Json({{"importFolders", {1}}}), Json(3)})
     EXPECT_NE(told("of_editor", wrong).find(missing), std::string::npos);
 }
 
-// Folders that come and go while documents are open. What is not about them is left alone.
+// Folders are added and removed while documents are open. Settings about anything else are ignored.
 TEST(Session, FollowsSettingsAndFolders) {
   const Scratch scratch("settings");
   std::filesystem::create_directory(scratch.path / "parts");
@@ -168,7 +168,7 @@ TEST(Session, FollowsSettingsAndFolders) {
   EXPECT_TRUE(client.capabilities.at("workspace").at("workspaceFolders").at("changeNotifications").get<bool>());
 }
 
-// An editor that gives its settings when it is asked for them: at the beginning, and when they have changed.
+// An editor that sends its settings when asked: at the beginning, and after they have changed.
 TEST(Session, AsksForSettings) {
   const Scratch scratch("asked-settings");
   std::filesystem::create_directory(scratch.path / "parts");
@@ -199,7 +199,7 @@ TEST(Session, AsksForSettings) {
   const std::vector<Json> second = tell(notification("workspace/didChangeConfiguration", {{"settings", nullptr}}));
   ASSERT_EQ(second.size(), 1U);
   EXPECT_NE(second[0].at("id"), first[0].at("id"));
-  // Answers of other shapes, and to questions that are not the last one.
+  // Results of other shapes are ignored, and so are answers to any question but the last one.
   for (const Json& other : {Json(nullptr), Json::array(), Json::array({nullptr}), Json("parts")})
     EXPECT_TRUE(respond(second[0].at("id"), other).empty()) << other;
   const Json none = Json::array({Json({{"importFolders", Json::array()}})});

@@ -1,4 +1,4 @@
-// Formatting, semantic tokens, inlay hints, and how long answers take.
+// Formatting, semantic tokens, inlay hints, and response times.
 #include <chrono>
 #include <set>
 
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Against `robcogen print`.
+// Compares formatting with `robcogen print`.
 TEST(Formatting, IsTheCanonicalPrint) {
   int count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(ROBCOGEN_ROBOTS_DIR)) {
@@ -47,7 +47,7 @@ TEST(Formatting, LeavesABrokenDocumentAlone) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), std::count(text.begin(), text.end(), '\r'));
 }
 
-// The words of the document, each with its type.
+// Returns the words of the document, each with its token type.
 std::vector<std::pair<std::string, std::string>> tokens_of(Client& client, const std::string& uri) {
   const Json types = client.capabilities.at("semanticTokensProvider").at("legend").at("tokenTypes");
   const Json data = client.ask_about("textDocument/semanticTokens/full", uri).at("data");
@@ -108,14 +108,14 @@ TEST(InlayHints, AreDegreesAndCarriedMasses) {
   const Json hints = client.ask_about("textDocument/inlayHint", uri, {{"range", whole}});
   std::set<std::string> labels;
   for (const Json& hint : hints) labels.insert(hint.at("label"));
-  // 2.638 + 0.881 are below the slider, 3.982 more below the base.
+  // The slider carries 2.638 + 0.881 kg; the base carries 3.982 kg more.
   for (const char* label : {"carries 3.519 kg", "carries 7.501 kg", "carries 0.881 kg", "-90°", "90°"})
     EXPECT_TRUE(labels.contains(label)) << label << hints;
   const Json nothing = {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 1}, {"character", 0}}}};
   EXPECT_EQ(client.ask_about("textDocument/inlayHint", uri, {{"range", nothing}}), Json::array());
 }
 
-// 5,000 lines: a chain of links as people write them.
+// Returns 5,000 lines: a chain of links as people write them.
 std::string long_robot() {
   std::string text = "Robot Long {\nRobotBase l0 { children { l1 via j1 } }\n";
   int i = 1;
@@ -134,8 +134,8 @@ std::string long_robot() {
          " { ref_frame { translation = (0.1, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) } }\n}\n";
 }
 
-// The machine of a test may be slow, and its build is not optimised everywhere: what is held is the order of magnitude;
-// the numbers are printed.
+// The test machine may be slow and the build may not be optimised, so the test checks only the order of magnitude and
+// prints the times.
 TEST(Answers, AreQuickOnFiveThousandLines) {
   Client client;
   const std::string uri = "file:///long.kindsl", text = long_robot();

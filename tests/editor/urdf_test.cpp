@@ -1,4 +1,5 @@
-// Names in URDFs: the outline, definitions, references and new names, also of lists and of documents that import them.
+// Names in URDFs: outline, definitions, references and renames, also from lists and from documents that import the
+// URDF.
 #include "client.h"
 #include "run_tool.h"
 
@@ -92,7 +93,7 @@ TEST_F(Urdf, NamesAreChangedEverywhere) {
 
   const Json joint = changed("joint name=\"|elbow", "bend");
   EXPECT_NE(edited(kCarrier, joint.at(carrier_)).find("left_bend = 0.5 * left_shoulder"), std::string::npos);
-  // A name that is taken.
+  // The name is already taken.
   EXPECT_TRUE(client_.ask_at("textDocument/rename", urdf_, "joint name=\"|elbow", {{"newName", "shoulder"}}).is_null());
   EXPECT_FALSE(client_.error.is_null());
 }
@@ -110,7 +111,8 @@ TEST_F(Urdf, LoopsAndCouplingsReferToLinks) {
   EXPECT_EQ(definition[0].at("range").at("start"), client_.position(urdf_, "|lower'>"));
 }
 
-// Formatting would make another document of it, and what cannot be read must not be a fault.
+// URDFs are not formatted, because formatting would produce a different document; text that cannot be parsed must not
+// cause an internal fault.
 TEST_F(Urdf, BrokenTextIsLeftAlone) {
   EXPECT_EQ(client_.ask_about("textDocument/formatting", urdf_), Json::array());
   for (const char* broken :

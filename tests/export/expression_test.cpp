@@ -1,4 +1,4 @@
-// From a quantity to text and back.
+// Quantities are printed as text and read back.
 #include "export/expression.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(ExportedExpression, SpellsNumbersAsAuthorsDo) {
   EXPECT_EQ(text_of(Number(0.1 + 0.2)), "0.30000000000000004");
 }
 
-// Numbers in the first release of the language: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
+// True for numbers as the first release of the language spells them: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
 bool is_original(const std::string& text) {
   static const std::regex grammar(R"(-?\d+\.\d+( PI)?|-?PI(/\d+\.\d+)?)");
   return std::regex_match(text, grammar);
@@ -69,7 +69,7 @@ bool is_decimal(const Number& n) {
   return Number::parse(print_double(n.value())) == n;
 }
 
-// Exactly: rational numbers that are decimals, and multiples of PI by a decimal or by one's inverse.
+// True for rational numbers that are decimals, and for multiples of PI by a decimal or by the inverse of one.
 bool is_spelled_exactly(const Number& n) {
   if (!n.ratio() || n.is_zero()) return n.is_zero();
   const auto [num, den] = *n.ratio();
@@ -97,7 +97,7 @@ TEST(ExportedExpression, KeepsEveryNumber) {
     return engine() % 2 == 0 ? magnitude : -magnitude;
   };
   for (int i = 0; i < 5000; ++i) {
-    const int bits = 1 + i % 49;  // beyond 2^49, a reader finds the number too large for a robot
+    const int bits = 1 + i % 49;  // above 2^49, the reader finds the number too large for a robot
     const std::int64_t num = whole(bits), den = 1 + std::abs(whole(1 + i % 31));
     expect_survives(Number::rational(num, den));
     expect_survives(Number::pi_multiple(num % 100000, den));

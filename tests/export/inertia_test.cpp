@@ -1,5 +1,5 @@
-// Mass properties on the limit of possible bodies, in as many digits as documents have: from URDF to a robot
-// document and back to URDF, readers accept them, and they do not change. Impossible ones are refused.
+// Mass properties at the limit of what a body can have, with as many digits as documents have. Converted from URDF to a
+// robot document and back to URDF, they are accepted by readers and do not change. Impossible ones are refused.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ class RandomBodies {
  public:
   explicit RandomBodies(std::uint64_t seed) : engine_(seed) {}
 
-  // A solid, a plate, a rod, a point mass, or one whose moments are noise; of any size and mass, turned.
+  // Returns a solid, a plate, a rod, a point mass, or a body whose moments are rounding noise; of any size, mass and
+  // orientation.
   Body next() {
     const double mass = std::pow(10.0, uniform(-3, 2)), size = std::pow(10.0, uniform(-3, 1));
     Body body{mass, Vector3d::Zero(), Matrix3d::Zero()};
@@ -53,7 +54,7 @@ class RandomBodies {
   Vector3d direction() { return Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized(); }
 
  private:
-  // The rounding of a difference of moments of its size in doubles.
+  // Adds the rounding error of a difference between moments of the body's size, computed in doubles.
   void add_noise(Body& body, double size) {
     const double reach = std::max(size, body.com.norm());
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -73,7 +74,7 @@ std::string inertial(const Body& b, int digits) {
       text(b.tensor(0, 2)), text(b.tensor(1, 1)), text(b.tensor(1, 2)), text(b.tensor(2, 2)));
 }
 
-// The body at the end of another, which has inertia about all axes.
+// The body at the end of an arm whose other link has inertia about all axes.
 std::string arm(const std::string& tip, const Vector3d& axis, double length) {
   const auto joint = [](const char* parent, const char* child, const Vector3d& a, double x) {
     return fmt::format(

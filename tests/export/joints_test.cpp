@@ -1,4 +1,5 @@
-// Documents with joints of all types, drives, limits and couplings, written again: the same model and the same numbers.
+// Documents with joints of all types, drives, limits and couplings are written again: the model and the numbers stay
+// the same.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ using numeric::Dice;
 
 struct Options {
   bool parameters = true;
-  bool only_urdf = false;  // joints and couplings that a URDF has
+  bool only_urdf = false;  // only joints and couplings that URDF has
 };
 
 class RandomDocument {
@@ -59,7 +60,7 @@ class RandomDocument {
 
   double number(double low, double high) { return std::round(dice_.between(low, high) * 1e4) / 1e4; }
 
-  // A number, or sometimes an expression of a parameter with a default.
+  // Returns a number, or sometimes an expression with a parameter that has a default.
   std::string value(double low, double high) {
     const double n = number(low, high);
     if (!options_.parameters || !dice_.chance(0.2)) return spelled(n);
@@ -78,7 +79,7 @@ class RandomDocument {
     return dice_.chance(0.6) ? kTurns[at(dice_.below(5))] : value(-3, 3);
   }
 
-  // The third angle is zero where a universal or planar joint has parameters.
+  // `plain`: without parameters, for universal and planar joints.
   std::string placement(bool plain = false) {
     const auto offset = [&] {
       return dice_.chance(0.4) ? std::string("0.0") : plain ? spelled(number(-1, 1)) : value(-1, 1);
@@ -140,7 +141,7 @@ class RandomDocument {
   void add_joint(int link) {
     struct Type {
       const char* word;
-      std::vector<std::pair<const char*, bool>> coordinates;  // name, whether it turns
+      std::vector<std::pair<const char*, bool>> coordinates;  // name, and whether it is an angle
     };
     static const std::vector<Type> kTypes = {
         {"r_joint", {}},
@@ -191,7 +192,7 @@ class RandomDocument {
     return fmt::format("{}{} * {}", dice_.chance(0.3) ? "-1.0" : spelled(number(0.1, 2)), unit, by.name);
   }
 
-  // Of a joint behind: it follows nothing yet.
+  // Returns a term in an earlier coordinate that follows no other.
   std::string other_term(std::size_t of, std::size_t leader) {
     for (std::size_t i = 0; i < of; ++i)
       if (i != leader && !coordinates_[i].follows) return " + " + term(coordinates_[of], coordinates_[i]);
@@ -211,7 +212,7 @@ KinematicTree written_and_read(const KinematicTree& tree) {
       language::kinematics::print(exporting::numbered_parents_first(tree, exporting::kinematics_document(tree))));
 }
 
-// What is computed of both; angles of universal and planar joints are sums, which may be rounded another way.
+// Compares computed results. The angles of universal and planar joints are sums, which may be rounded differently.
 void expect_same_numbers(const KinematicTree& found, const KinematicTree& expected, std::uint64_t seed) {
   constexpr double kRounding = 1e-12;
   std::vector<double> parameters;
@@ -249,8 +250,8 @@ TEST(JointsInDocuments, AreTheSameWrittenAgain) {
   EXPECT_GT(rotors, 100);
 }
 
-// What URDF has: joints that turn or slide, in chains where one has several coordinates, damping, friction, limits of
-// both kinds, and couplings to one joint.
+// Keeps what URDF has: joints that turn or slide (several coordinates become chains), damping, friction, position and
+// other limits, and couplings to one joint.
 KinematicTree without_what_urdf_lacks(KinematicTree tree) {
   for (model::Joint& joint : tree.joints) {
     joint.drive.armature = joint.drive.stiffness = joint.drive.rest = joint.drive.friction_velocity = Quantity();

@@ -1,4 +1,4 @@
-// From the model to a robot document and back: the same model.
+// A model that is written as a robot document and read back is the same model.
 #include "export/kinematics.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(ExportedDocument, IsTheSameModel) {
   }
 }
 
-// Mass properties of random robots are given in frames that no link has: those are moved.
+// Random robots give their mass properties in frames that are not link frames; the export moves these properties.
 TEST(ExportedDocument, OfARandomRobotIsTheSameModel) {
   constexpr std::uint64_t kRobots = 300;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -86,7 +86,8 @@ TEST(ExportedDocument, KeepsTheFrameOfMassProperties) {
   EXPECT_EQ(document.links[1].inertia->reference->text, "body");
 }
 
-// A frame without a name: the properties are moved, and a massless link has no centre of mass to divide for.
+// The frame has no name, so the properties are moved. The link is massless, so its centre of mass cannot be found by
+// division by the mass.
 TEST(ExportedDocument, MovesMassPropertiesFromAFrameThatHasNoName) {
   KinematicTree tree = read(kInFrame);
   tree.user_frames.clear();
@@ -106,7 +107,8 @@ TEST(ExportedDocument, MovesMassPropertiesFromAFrameThatHasNoName) {
   EXPECT_EQ(evaluate(inertia.izz), 5.0);
 }
 
-// As a URDF may declare them: the hand before the arm that carries it, and links and joints in different orders.
+// The order that a URDF may have: the hand is declared before the arm that carries it, and links and joints are in
+// different orders.
 KinematicTree children_first() {
   const auto link = [](const std::string& name, const std::string& children) {
     return "link " + name +
@@ -133,7 +135,7 @@ TEST(ExportedDocument, DeclaresAndNumbersParentsFirst) {
     if (link.id) ids.push_back(*link.id);
   }
   for (const auto& joint : document.joints) joints.push_back(joint.name.text);
-  // Joints keep their order where that is one of parents first: `root`, which nothing waits for, stays the first.
+  // Joints keep their order if parents come first: `root`, on which no other joint depends, stays first.
   EXPECT_EQ(joints, (std::vector<std::string>{"root", "shoulder", "wrist", "finger"}));
   EXPECT_EQ(links, (std::vector<std::string>{"base", "tail", "arm", "hand", "tip"}));
   EXPECT_EQ(ids, (std::vector<int>{1, 2, 3, 4}));

@@ -1,4 +1,4 @@
-// Loops of trees: which joints follow, how loops are assembled, and what is printed of them.
+// Loops of trees: which joints follow, how loops are assembled, and how they are printed.
 #include <gtest/gtest.h>
 
 #include "coupling_sums.h"
@@ -10,7 +10,7 @@
 namespace robcogen::test {
 namespace {
 
-// A crank, a rod and a rocker; `more` stands in the robot.
+// A crank, a rod and a rocker; `more` is added to the robot.
 std::string four_bar(const std::string& more, const std::string& rod = "-0.8", const std::string& rocker = "1.4") {
   return "Robot FourBar { RobotBase base { children { crank via a rocker via c } } "
          "link crank { id = 1 children { rod via b } } "
@@ -50,13 +50,14 @@ TEST(Loops, TheLastJointsFollowUnlessOthersAreAskedForOrDriven) {
   EXPECT_EQ(coordinates(tree_of(text)), Names{"c"});
 }
 
-// Drawn with the elbow up or down: the same sides, mirrored.
+// Drawn with the elbow up or down, the loop has the same sides, mirrored.
 TEST(Loops, AreAssembledAsTheyAreDrawn) {
   const model::KinematicTree up = tree_of(four_bar("")), down = tree_of(four_bar("", "-2.2", "-1.9"));
   ASSERT_EQ(up.closures.size(), 1U);
   ASSERT_EQ(down.closures.size(), 1U);
   EXPECT_EQ(up.closures[0].branch, -down.closures[0].branch);
-  // Where the joints that follow are at zero: not where they are drawn, since that does not close.
+  // The offset is the position of a following joint when the loop closes. It is not zero, because the drawn position
+  // does not close the loop.
   for (const model::Coupling& coupling : up.couplings) {
     EXPECT_FALSE(coupling.is_linear());
     EXPECT_NE(model::evaluate(coupling.offset), 0.0);
@@ -73,8 +74,8 @@ TEST(Loops, PrintAsTheyWereRead) {
   EXPECT_EQ(coordinates(tree_of(text)), Names{"b"});
 }
 
-// Of the sides `left`, `bottom` and `right`, the first of them the crank; the crank stands at `angle`, the others as a
-// parallelogram has them, or as the text `more` asks for.
+// A loop with the sides crank, base and rocker. The crank is placed at `angle`, the other joints as in a parallelogram;
+// `more` is added to the robot.
 std::string parallelogram(
     const std::string& angle,
     const std::string& back,
@@ -114,7 +115,7 @@ TEST(Parallelograms, HaveSidesOfEqualLength) {
   EXPECT_FALSE(tree_of(parallelogram("1.2", "-1.2", "", "s[0.2]", "0.2")).closures.empty());
 }
 
-// Drawn closed to the digit: sides of 0.2, 0.5, 0.5 and 0.4 m.
+// A trapezoid that is drawn exactly closed: sides of 0.2, 0.5, 0.5 and 0.4 m.
 TEST(Parallelograms, AreNoTrapezoids) {
   std::string text = parallelogram("PI/2.0", "-PI/2.0", "", "0.2", "0.5");
   text.replace(text.find("(0.5, 0.0, 0.0)"), 15, "(0.4, 0.3, 0.0)");
@@ -125,7 +126,7 @@ TEST(Parallelograms, AreNoTrapezoids) {
   EXPECT_LT(std::abs(model::evaluate(tree.couplings.front().offset)), 1e-15);
 }
 
-// The same sides: the rod and the base cross.
+// The sides have the same lengths, but the rod and the base cross.
 TEST(Parallelograms, AreNotCrossed) {
   std::string crossed = parallelogram("1.2", "-2.02");
   crossed.replace(crossed.rfind("1.2"), 3, "-2.02");
@@ -148,7 +149,7 @@ TEST(Parallelograms, FollowJointsOfCouplingsAndOfOneAnother) {
   EXPECT_EQ(model::evaluate(tree.couplings[1].offset), -0.1);
 }
 
-// In a part, whose instances have one each, and printed as read.
+// Each instance of the part has its own actuator, and the printed text reads back.
 TEST(Actuators, OfPartsAreThoseOfEachInstance) {
   const std::string text =
       "Part Arm { root boom via lift "
@@ -172,7 +173,7 @@ TEST(Actuators, OfPartsAreThoseOfEachInstance) {
   EXPECT_EQ(tree_of(printed).actuators.size(), 2U);
 }
 
-// A leg with a loop, attached twice: its frames, its loop and what leads it have the prefix of the instance.
+// A leg with a loop is attached twice; its frames, its loop and the joint that leads have the instance's prefix.
 TEST(Loops, OfPartsAreThoseOfEachInstance) {
   const std::string text =
       "Part Leg(crank[0.2]) { root first via a root other via c "

@@ -1,4 +1,5 @@
-// Exported robots as urdfdom and a textbook see them, against the robots themselves run by the interpreter.
+// Exported robots, evaluated by urdfdom and textbook formulas, compared with the robots themselves, evaluated by the
+// interpreter.
 #include <gtest/gtest.h>
 
 #include "export/urdf.h"
@@ -16,10 +17,10 @@ using model::KinematicTree;
 
 constexpr std::uint64_t kSeed = 11;
 constexpr int kStates = 3;
-// Products of some forty poses and as many roundings of URDF's numbers, relative to the largest element.
+// Products of about forty poses and as many roundings of the numbers in the URDF, relative to the largest element.
 constexpr double kTolerance = 2e-13;
 
-// base_X_frame of every link frame and user frame.
+// Requests base_X_frame for every link frame and user frame.
 model::DesiredTransforms all_poses(const KinematicTree& tree) {
   model::DesiredTransforms desired;
   const std::vector<Frame> frames = tree.frames();
@@ -39,14 +40,14 @@ double difference(const Found& found, const reference::Matrix<double>& expected)
   return largest / std::max(1e-300, reference::largest(expected));
 }
 
-// Joints, by name: the independent ones, then those that follow them.
+// Names of the joints: first the independent ones, then those that follow them.
 std::vector<std::string> joint_names(const KinematicTree& tree) {
   std::vector<std::string> names;
   for (const int j : independent_joints_first(tree)) names.push_back(tree.joints[static_cast<std::size_t>(j)].name);
   return names;
 }
 
-// The inertia matrix of the base and the coordinates, from that of the base and all joints.
+// The inertia matrix over the base and the coordinates, from the matrix over the base and all joints.
 Eigen::MatrixXd reduced(const Eigen::MatrixXd& H, const reflection::Robot& robot) {
   const reference::Matrix<double> coupling = reference::coupling_matrix<double>(robot);
   Eigen::MatrixXd G = Eigen::MatrixXd::Identity(H.rows(), 6 + robot.dof());
@@ -55,7 +56,7 @@ Eigen::MatrixXd reduced(const Eigen::MatrixXd& H, const reflection::Robot& robot
   return G.transpose() * H * G;
 }
 
-// The user frame of a link's name, or else the link frame: which one the URDF link is.
+// True if a user frame has the link's name: the URDF link then has this frame, otherwise the link frame.
 bool has_user_frame_of_its_name(const KinematicTree& tree, int link) {
   return std::any_of(tree.user_frames.begin(), tree.user_frames.end(), [&](const model::UserFrame& frame) {
     return frame.link == link && frame.name == tree.links[static_cast<std::size_t>(link)].name;
@@ -98,7 +99,7 @@ TEST(ExportedUrdf, IsTheSameRobotForAnIndependentReader) {
   for (const test::NamedRobot& robot : test::constant_robots()) {
     SCOPED_TRACE(robot.document);
     KinematicTree tree = robot.tree;
-    tree.uses_passive_forces = false;  // as the reader
+    tree.uses_passive_forces = false;  // as in the reader
     expect_agreement(tree);
   }
 }

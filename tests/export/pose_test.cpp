@@ -1,4 +1,4 @@
-// Rotations in roll, pitch and yaw: as exact as the turns that they come from.
+// Conversion of rotations to roll, pitch and yaw is as exact as the turns that they consist of.
 #include "export/pose.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Angles angles(const Number& x, const Number& y, const Number& z) {
   return roll_pitch_yaw(pose(x, y, z));
 }
 
-// The angle that is meant, in long double.
+// The angle that a number stands for, in long double.
 Real exact(const Number& angle) {
   if (!angle.is_pi_multiple()) return angle.value();
   return std::numbers::pi_v<Real> * Real(angle.ratio()->num) / Real(angle.ratio()->den);
@@ -54,7 +54,7 @@ TEST(RollPitchYaw, OfOneTurnIsThatTurn) {
   }
 }
 
-// Rx(PI/2) turns the axes y and z of the following turns into z and -y.
+// Rx(PI/2) maps the y and z axes of the following turns to z and -y.
 TEST(RollPitchYaw, OfATurnAfterAQuarterTurnIsExact) {
   for (const double a : {0.3, -0.7, 1.1, 0.001, -1e-12}) {
     EXPECT_EQ(angles(quarters(1), Number(a), {}), (Angles{kQuarter, 0, a})) << a;
@@ -64,14 +64,14 @@ TEST(RollPitchYaw, OfATurnAfterAQuarterTurnIsExact) {
   }
 }
 
-// Rx(PI/2) Ry(a) Rz(PI/2) puts x on z: only the sum of roll and yaw is determined.
+// Rx(PI/2) Ry(a) Rz(PI/2) maps x to z, so only the sum of roll and yaw is determined.
 TEST(RollPitchYaw, AtAPitchOfAQuarterTurnHasNoRoll) {
   for (const double a : {0.3, -0.7, 1.25, 0.001}) {
     const auto [no_roll, down, yaw_down] = angles(quarters(1), Number(a), quarters(1));
     EXPECT_EQ(no_roll, 0.0);
     EXPECT_EQ(down, -kQuarter);
     EXPECT_DOUBLE_EQ(yaw_down, kQuarter + a);
-    // The double nearest to PI/2 misses it by 6e-17, which determines nothing.
+    // The double nearest to PI/2 is off by 6e-17, too little to determine the roll.
     EXPECT_EQ(angles(Number(kQuarter), Number(a), Number(kQuarter)), (Angles{0, -kQuarter, yaw_down})) << a;
     const auto [none, up, yaw_up] = angles(quarters(-1), Number(a), quarters(1));
     EXPECT_EQ(none, 0.0);
@@ -87,14 +87,14 @@ TEST(RollPitchYaw, OfQuarterTurnsAreQuarterTurns) {
         const Angles found = angles(quarters(x), quarters(y), quarters(z));
         for (const double angle : found) EXPECT_EQ(angle, quarters(std::lround(angle / kQuarter)).value());
         const Rotation expected = turn(x * kQuarter, 0) * turn(y * kQuarter, 1) * turn(z * kQuarter, 2);
-        constexpr Real kOneRounding = 1e-15L;  // of PI/2 to a double, in up to six turns
+        constexpr Real kOneRounding = 1e-15L;  // rounding PI/2 to a double, in up to six turns
         EXPECT_LT((from_roll_pitch_yaw(found) - expected).cwiseAbs().maxCoeff(), kOneRounding);
       }
     }
   }
 }
 
-// Angles at which formulas break: quarter turns, next to them, documents' idea of PI/2, and any.
+// Returns an angle at which formulas break: a quarter turn, one near it, PI/2 as documents spell it, or any angle.
 Number odd_angle(std::mt19937_64& engine) {
   const auto below = [&](std::uint64_t n) { return static_cast<std::int64_t>(engine() % n); };
   const double any = static_cast<double>(engine() >> 11) * 0x1p-53 * 6 - 3;
@@ -114,7 +114,7 @@ Number odd_angle(std::mt19937_64& engine) {
   }
 }
 
-// Three angles rounded to doubles, each off by up to 2.2e-16 rad.
+// Three angles are rounded to doubles, each with an error of up to 2.2e-16 rad.
 constexpr Real kRounding = 8e-16L;
 
 TEST(RollPitchYaw, IsAccurateForAnyTurns) {

@@ -1,4 +1,4 @@
-// The robots to export: those of robots/, and documents from the field.
+// Robots to export: those of robots/ and documents from other projects.
 #pragma once
 
 #include <algorithm>
@@ -47,24 +47,24 @@ inline std::optional<model::KinematicTree> read_document(
   return read ? import::kinematic_tree(read->document, diagnostics) : std::nullopt;
 }
 
-// Documents that are malformed on purpose or of another dialect.
+// Documents that are malformed on purpose or written in another dialect.
 inline const std::set<std::string>& malformed_documents() {
   static const std::set<std::string> names = {
       "ESROCOS_kin-gen__tests_models_malformed_cmm-disconnected.kindsl",
       "ESROCOS_kin-gen__tests_models_malformed_cmm-typo.kindsl",
-      "mfrigerio17_dsl-kinematics__models_two_links.kindsl",  // of 2012
+      "mfrigerio17_dsl-kinematics__models_two_links.kindsl",  // dialect of 2012
   };
   return names;
 }
 
-// Parts alone, for other documents.
+// True for a document that only declares parts for other documents.
 inline bool is_library(const std::shared_ptr<const Source>& source) {
   Diagnostics diagnostics;
   const auto document = language::kinematics::parse(source, diagnostics);
   return !document.has_robot() && !document.parts.empty();
 }
 
-// Every robot of robots/ and every well-formed one of the corpus, if that is there. Throws where one does not build.
+// Every robot of robots/ and every well-formed one of the corpus, if there is a corpus. Throws if one does not build.
 inline std::vector<NamedRobot> all_robots() {
   std::vector<NamedRobot> robots;
   for (const char* folder : {ROBCOGEN_ROBOTS_DIR, ROBCOGEN_CORPUS_DIR}) {
@@ -82,9 +82,9 @@ inline std::vector<NamedRobot> all_robots() {
   return robots;
 }
 
-// Those that a URDF can say: it knows no parameters, no spherical or helical joint, no joint that follows others in any
-// way, and of drives only damping and friction, to which others are cut. Without loops that close only near where they
-// are drawn.
+// The robots that a URDF can describe. URDF has no parameters, no spherical or helical joints, no joints that follow
+// others in arbitrary ways, and no drive properties except damping and friction; other drive properties are removed.
+// Robots with loops that close only near the position in which they are drawn are left out.
 inline std::vector<NamedRobot> constant_robots() {
   std::vector<NamedRobot> robots = all_robots();
   std::erase_if(robots, [](const NamedRobot& robot) {

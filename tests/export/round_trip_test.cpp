@@ -1,4 +1,4 @@
-// From a robot document to URDF and back, and from URDF to a robot document and back: the same robot.
+// Round trips from a robot document to URDF and back, and from URDF to a robot document and back, keep the robot.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ using test::Differences;
 
 constexpr std::uint64_t kSeed = 5;
 constexpr int kStates = 5;
-// Tolerances of a round trip. Numbers are rounded a few times, some 1e-15; where the inertia matrix is badly
-// conditioned, accelerations show a hundred times that.
+// Tolerance of a round trip. Numbers are rounded a few times, by about 1e-15 each; if the inertia matrix is badly
+// conditioned, the error of accelerations is a hundred times larger.
 constexpr double kTolerance = 1e-12;
 
 struct Read {
@@ -92,7 +92,7 @@ void expect_same_robot(const KinematicTree& found, const KinematicTree& expected
   EXPECT_LT(worst.poses, kTolerance);
 }
 
-// To URDF, back to the model, and on to a document and back.
+// Converts to URDF, back to the model, to a document, and back again.
 void expect_survives_urdf(const KinematicTree& tree, bool allow_implausible = false) {
   const Read back = through_urdf(tree, allow_implausible);
   ASSERT_TRUE(back.tree.has_value()) << back.diagnostics.render();
@@ -101,7 +101,7 @@ void expect_survives_urdf(const KinematicTree& tree, bool allow_implausible = fa
   expect_same_robot(*document.tree, tree);
 }
 
-// A robot whose inertia matrix has no inverse survives like every other, and its readers report the missing functions.
+// A robot with a singular inertia matrix survives like any other, and the readers report the functions that it lacks.
 void expect_singular(const KinematicTree& tree, bool allow_implausible = false) {
   EXPECT_TRUE(reports(through_document(tree), "singular-inertia"));
   EXPECT_TRUE(reports(through_urdf(tree, allow_implausible), "singular-inertia"));
@@ -109,8 +109,8 @@ void expect_singular(const KinematicTree& tree, bool allow_implausible = false) 
 
 // ---- From documents.
 
-// The mass properties of these are those of no body: moments that were meant about the centre of mass. A robot document
-// gets a warning for that, a URDF is refused unless it is allowed.
+// The mass properties of these robots belong to no possible body: their moments were probably meant about the centre of
+// mass. A robot document gets a warning; a URDF is refused unless the option allows it.
 const std::set<std::string> kNoBody = {
     "DrawZeroPoint_control-toolbox__ct_models_include_ct_models_QuadrotorWithLoad_model_ct_quadrotor.kindsl",
     "DrawZeroPoint_control-toolbox__ct_rbd_test_models_testIrb4600_description_testirb4600.kindsl",
@@ -118,8 +118,8 @@ const std::set<std::string> kNoBody = {
     "mfrigerio17_dsl-kinematics__models_HyQ.kindsl",
 };
 
-// A base without inertia, or with less than three axes of it, that nothing but free joints hold: H is singular in every
-// position if it floats.
+// The base has no inertia, or inertia about fewer than three axes, and only free joints hold it: if it floats, H is
+// singular in every position.
 const std::set<std::string> kCannotFloat = {
     "hyl.kindsl",
     "iiwa14.kindsl",
@@ -189,7 +189,7 @@ TEST_F(Models, SurviveAsDocuments) {
   }
 }
 
-// URDF demands bounds that the model does not have: those are wide.
+// URDF requires bounds even if the model has none; those are wide.
 void expect_same_limits(const JointLimits& found, const JointLimits& expected) {
   constexpr double kWide = 1e9;
   const auto expect_bound = [&](double bound, double original) {
@@ -225,7 +225,7 @@ TEST_F(Models, KeepTheirLimits) {
   EXPECT_GT(limited, 50) << "hardly any joint has limits: the check is empty";
 }
 
-// `joint_8.0` is `joint_8_0`.
+// Converts `joint_8.0` to `joint_8_0`.
 std::string as_identifier(std::string name) {
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
@@ -235,7 +235,7 @@ std::string as_identifier(std::string name) {
 // urdfdom refuses revolute joints without limits.
 const std::set<std::string> kNotForUrdfdom = {"iiwa14.urdf"};
 
-// The original and the result, compared by an independent reader.
+// Compares the original and the result with an independent reader.
 TEST_F(Models, AreTheSameForAnIndependentReader) {
   for (const path& file : files_) {
     SCOPED_TRACE(file.filename().string());

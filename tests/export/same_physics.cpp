@@ -48,7 +48,7 @@ State reordered(const State& state, const std::vector<int>& order) {
       state.base_acceleration};
 }
 
-// Rows of generalised coordinates, the base's six before the joints'.
+// Permutes the rows of generalised coordinates: the base's six come before the joints'.
 Eigen::PermutationMatrix<Eigen::Dynamic> coordinates(const std::vector<int>& order, bool floating) {
   const int base = floating ? 6 : 0;
   Eigen::PermutationMatrix<Eigen::Dynamic> permutation(base + static_cast<int>(order.size()));
@@ -62,7 +62,7 @@ double relative(const Eigen::VectorXd& difference, const Eigen::VectorXd& size) 
   return difference.norm() / size.norm();
 }
 
-// Also for NaN.
+// Also raises the value to NaN.
 void raise(double& worst, double value) {
   if (!(value <= worst)) worst = value;
 }
@@ -120,7 +120,7 @@ Differences differences(const KinematicTree& found, const KinematicTree& expecte
     const Eigen::MatrixXd H = eigen(second.joint_space_inertia(state.q));
     const Eigen::MatrixXd found_H =
         to_expected * eigen(first.joint_space_inertia(found_state.q)) * to_expected.inverse();
-    // A joint that moves no inertia is measured by the largest that others move.
+    // A joint that moves no inertia is compared relative to the largest inertia that another joint moves.
     const Eigen::VectorXd weight = (H.diagonal().array() > 0).select(H.diagonal(), H.diagonal().maxCoeff()).cwiseSqrt();
     const Eigen::MatrixXd size = weight * weight.transpose();
     raise(worst.inertia_matrix, (found_H - H).cwiseQuotient(size).cwiseAbs().maxCoeff());

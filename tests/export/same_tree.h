@@ -1,4 +1,4 @@
-// Two models, compared part by part: the same joints, links, frames, couplings and numbers.
+// Compares two models part by part: joints, links, frames, couplings and numbers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ class SameTree {
     if (expected.rotor->axis) expect_same(*found.rotor->axis, *expected.rotor->axis);
   }
 
-  // A document lists them link by link.
+  // Frames are compared by name, because a document lists them link by link.
   void expect_frames() const {
     std::map<std::string, const model::UserFrame*> all;
     for (const model::UserFrame& frame : found_.user_frames) all[frame.name] = &frame;
@@ -134,7 +134,7 @@ class SameTree {
     for (std::size_t i = 0; i < 3; ++i) expect_same(found[i], expected[i]);
   }
 
-  // The same double, and the same multiple of PI.
+  // Expects the same double, and the same multiple of PI.
   void expect_same(const Quantity& found, const Quantity& expected) const {
     EXPECT_EQ(evaluate(found, values_), evaluate(expected, values_));
     ASSERT_EQ(found.is_constant(), expected.is_constant());

@@ -1,4 +1,4 @@
-// Robots with loops to URDF+ and back.
+// Conversion of robots with loops to URDF+ and back.
 #include <gtest/gtest.h>
 
 #include "coupling_sums.h"
@@ -50,7 +50,7 @@ void expect_same_motion(const KinematicTree& found, const KinematicTree& expecte
   }
 }
 
-// Of the folder robots, cut to drives that URDF has.
+// A robot of the folder robots, with only the drive properties that URDF has.
 class UrdfLoops : public testing::TestWithParam<std::string> {
  protected:
   static KinematicTree robot() {
@@ -82,7 +82,7 @@ TEST_P(UrdfLoops, AreReadBack) {
 
 INSTANTIATE_TEST_SUITE_P(, UrdfLoops, testing::Values("five_bar", "four_bar_leg", "palletiser"));
 
-// A belt along the upper arm: the second rotor turns with the sum of both joints.
+// A belt along the upper arm: the second rotor turns by the sum of both joints.
 TEST(UrdfCouplings, AreSumsAlongPaths) {
   const std::string at = " { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } } ";
   const auto link = [](const std::string& name, int id, const std::string& children) {
@@ -102,7 +102,7 @@ TEST(UrdfCouplings, AreSumsAlongPaths) {
     EXPECT_EQ(sums(through_urdf(tree)), sums(tree));
     expect_same_motion(through_urdf(tree), tree);
   }
-  // Of two motors on the base no path has both.
+  // URDF+ cannot express these: no path contains both motors on the base.
   for (const char* coupling : {"b = 0.5 * m + 0.5 * n", "m = 6.0 * a + 6.0 * b + 0.1", "m = 6.0 * a + 5.0 * b"}) {
     const KinematicTree tree = robot(coupling);
     EXPECT_FALSE(exporting::has_urdf_form(tree, tree.couplings.front())) << coupling;

@@ -9,7 +9,7 @@
 namespace robcogen::test {
 namespace {
 
-// Collects the log of urdfdom during its lifetime.
+// Collects urdfdom's log during its lifetime.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() {

@@ -1,4 +1,4 @@
-// A URDF as an independent program reads it: urdfdom reads it, the formulas are those of any textbook.
+// An independent reader of URDFs: urdfdom parses the text, and the formulas are textbook ones.
 #pragma once
 
 #include <urdf_model/model.h>
@@ -13,20 +13,20 @@ namespace robcogen::test {
 
 class UrdfReader {
  public:
-  // Throws when urdfdom refuses the text.
+  // Throws if urdfdom refuses the text.
   explicit UrdfReader(const std::string& text);
 
-  // The warnings and errors of urdfdom.
+  // urdfdom's warnings and errors.
   const std::string& complaints() const { return complaints_; }
   const urdf::ModelInterface& model() const { return *model_; }
-  // The root, or the floating link on it.
+  // The root link, or the floating link on it.
   const urdf::Link& base() const { return *base_; }
 
   using Positions = std::map<std::string, double>;  // by joint
-  // base_X_link of all links below the base.
+  // base_X_link for all links below the base.
   std::map<std::string, Eigen::Isometry3d> poses(const Positions& q) const;
-  // The sum of J' M J over all links, where J takes (base twist, velocities of `joints` in this order) to the twist at
-  // the centre of mass, angular first, base coordinates: (6 + n) x (6 + n).
+  // The sum of J' M J over all links; J maps (base twist, velocities of `joints` in this order) to the twist at the
+  // centre of mass, angular first, in base coordinates: (6 + n) x (6 + n).
   Eigen::MatrixXd inertia_matrix(const std::vector<std::string>& joints, const Positions& q) const;
 
  private:

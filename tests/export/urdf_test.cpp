@@ -16,7 +16,7 @@ namespace {
 using model::KinematicTree;
 using test::UrdfReader;
 
-// A slider that carries an arm; `base`, `slider` and `arm` are frames and more in the bodies of these links.
+// A slider that carries an arm; `base`, `slider` and `arm` are texts in these links' bodies, such as frames.
 std::string document(const std::string& base, const std::string& slider, const std::string& arm) {
   const std::string inertia =
       "inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.5) Ix = 0.75 Iy = 1.0 Iz = 0.5 Ixy = 0.0 Ixz = 0.25 Iyz = 0.0 }";
@@ -35,7 +35,7 @@ KinematicTree read(const std::string& text) {
   return *tree;
 }
 
-// The result of urdfdom, without messages.
+// urdfdom's result; expects no messages.
 UrdfReader exported(const KinematicTree& tree) {
   UrdfReader reader(exporting::urdf(tree));
   EXPECT_EQ(reader.complaints(), "") << exporting::urdf(tree);
@@ -146,9 +146,10 @@ TEST(Urdf, LinkHasTheFrameOfItsName) {
   EXPECT_EQ(components(lift.axis), (Components{1, 0, 0})) << "where Ry(-PI/2) has put z";
   const urdf::Joint& elbow = *urdf.model().getJoint("elbow");
   EXPECT_EQ(components(elbow.axis), (Components{0, 1, 0}));
-  // From the slider's own frame: Ry(PI/2) takes (0.125 - 0.25, -0.5, 1) and the arm's (0.5, 0, 0) beyond.
+  // In the slider's own frame, Ry(PI/2) maps (0.125 - 0.25, -0.5, 1) and the arm's further (0.5, 0, 0).
   EXPECT_EQ(components(elbow.parent_to_joint_origin_transform.position), (Components{1.0, -0.5, -0.125 + 0.25 - 0.5}));
-  // The centre of mass of the arm is half a metre up z of the link, a metre from its own frame, where z is y.
+  // The arm's centre of mass is half a metre along the link's z axis, and a metre from its own frame, where z becomes
+  // y.
   EXPECT_EQ(components(urdf.model().getLink("arm")->inertial->origin.position), (Components{0, 1, 0}));
 }
 
@@ -175,7 +176,7 @@ TEST(Urdf, AxesAreUnitVectors) {
   EXPECT_NEAR(axis.x, std::sin(0.4) * std::sin(-2.0) - std::cos(0.4) * std::sin(1.1) * std::cos(-2.0), kCancelled);
 }
 
-// Where a document has the nearest double of PI/2, no crumbs of 1e-17 remain.
+// A document with the nearest double of PI/2 leaves no residues of 1e-17.
 TEST(Urdf, AxesAlongAxesAreExact) {
   const UrdfReader urdf = exported(
       document("", "", "frames { arm { translation = (0.0, 0.0, 0.0) rotation = (1.5707963267948966, 0.0, 0.3) } }"));
@@ -185,7 +186,7 @@ TEST(Urdf, AxesAlongAxesAreExact) {
   EXPECT_EQ(z, 0.0);
 }
 
-// Only the ref_frame of mass properties can mean such a frame.
+// Only the ref_frame of mass properties can refer to a hidden frame.
 TEST(Urdf, LeavesOutHiddenFrames) {
   const UrdfReader urdf =
       exported(document("", "", "frames { fr_arm { translation = (1.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"));
@@ -233,7 +234,7 @@ TEST(Urdf, KeepsTheInertiaOfAFixedBase) {
   EXPECT_EQ(urdf.model().getRoot()->inertial->ixy, -0.25) << "a product of inertia enters the tensor with minus";
 }
 
-// I = 0.1, m |c|^2 = 1e6: the difference of doubles would have lost ten digits of the values in the URDF.
+// I = 0.1 and m |c|^2 = 1e6: a difference of doubles would lose ten digits of the values in the URDF.
 TEST(Urdf, InertiaFarFromTheOriginIsAsGoodAsTheDocument) {
   KinematicTree tree = read(document("", "", ""));
   model::Inertia& inertia = *tree.links[2].inertia;
@@ -243,7 +244,7 @@ TEST(Urdf, InertiaFarFromTheOriginIsAsGoodAsTheDocument) {
   inertia.reference = far;
   const urdf::Inertial body = *exported(tree).model().getLink("arm")->inertial;
   const auto [s, c] = std::pair(std::sin(0.3), std::cos(0.3));
-  // About the centre of mass: diag(0.25, 0.5, 0.5) and -0.25 between x and z, turned by Rx.
+  // About the centre of mass: diag(0.25, 0.5, 0.5) and -0.25 between x and z, rotated by Rx.
   EXPECT_DOUBLE_EQ(body.ixx, 0.25);
   EXPECT_DOUBLE_EQ(body.iyy, 0.5);
   EXPECT_DOUBLE_EQ(body.ixy, 0.25 * s);

@@ -1,4 +1,4 @@
-// Properties of every traced program: it is valid, it runs, and so does the result of the passes.
+// Properties of every traced program: the program is valid and runs, and so does the result of the passes.
 #pragma once
 
 #include "pass/passes.h"

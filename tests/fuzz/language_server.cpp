@@ -1,4 +1,4 @@
-// The language server, given the text as what an editor sends, and as documents that an editor changes.
+// The language server: the text is sent to it as an editor's stream, and as documents that an editor changes.
 #include <algorithm>
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 using robcogen::server::Json;
 
-// The text as a stream of frames, after a session was begun: the server must answer a request that follows.
+// Sends the text as a stream of frames, after a session has begun: the server must answer the request that follows.
 void as_a_stream(const std::string& text) {
   namespace server = robcogen::server;
   const Json begin = {{"jsonrpc", "2.0"}, {"id", 1}, {"method", "initialize"}, {"params", Json::object()}};
@@ -31,7 +31,7 @@ void as_a_stream(const std::string& text) {
   robcogen::fuzz::require(written > 0, "no answer", text);
 }
 
-// Texts of JSON are UTF-8.
+// Strings in JSON are UTF-8.
 std::string as_utf8(const std::string& text) {
   return Json::parse(robcogen::server::text_of(text)).get<std::string>();
 }
@@ -48,7 +48,7 @@ class Editor {
         "textDocument/didChange",
         {{"textDocument", {{"uri", uri}, {"version", 2}}}, {"contentChanges", Json::array({{{"text", text}}})}}, false);
   }
-  // Every request that the server answers, at a place of the document.
+  // Sends every request that the server answers, for a position in the document.
   void ask_everything(const std::string& uri, std::size_t line, std::size_t character) {
     const Json at = {{"line", line}, {"character", character}};
     for (const char* method : kMethods)

@@ -1,5 +1,5 @@
-// Calls a fuzz target with every file in the folders that are given: without libFuzzer, the seeds and what was found
-// stay sound.
+// Calls a fuzz target with every file in the given folders: without libFuzzer, this checks the seeds and earlier
+// findings.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Any robot document: from text to model, from model to programs, through all passes, into the interpreter.
+// Any robot document: from text to model, from model to programs, through all passes, and into the interpreter.
 #include "algorithm/catalogue/catalogue.h"
 #include "check.h"
 #include "import/kinematics.h"
@@ -6,7 +6,7 @@
 namespace robcogen::fuzz {
 namespace {
 
-// Larger robots take their time, and find nothing that these do not.
+// Larger robots take more time, and find nothing that these do not.
 constexpr int kMaxJoints = 8;
 constexpr std::size_t kMaxFrames = 30;
 

@@ -1,4 +1,4 @@
-// A property of any text: it is refused with messages, or its document survives printing.
+// A property of any text: either it is refused with messages, or its document survives printing.
 #pragma once
 
 #include <cstdint>

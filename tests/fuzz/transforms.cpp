@@ -1,4 +1,4 @@
-// Any list of desired transforms, on a robot with the frames that the seeds like to name: traced, through all passes,
+// Any list of desired transforms, on a robot with the frames that the seeds often name: traced, through all passes, and
 // into the interpreter.
 #include <algorithm>
 
@@ -38,7 +38,7 @@ model::KinematicTree robot() {
   return *tree;
 }
 
-// What must exist: contacts, instances of parts and what loops make of them.
+// True if the list refers to things that must exist: contacts, instances of parts, and functions of loops.
 bool asks_by_name(const language::desired::Document& document) {
   const auto names_instance = [](const language::desired::Name& name) { return !name.instance.empty(); };
   const auto has_instance = [&](const language::desired::Pair& pair) {
@@ -58,7 +58,7 @@ void check_list(const std::shared_ptr<const Source>& text) {
   if (diagnostics.has_errors()) return;
   const model::DesiredTransforms desired = import::desired_transforms(document, tree, diagnostics);
   const std::string messages = diagnostics.render();
-  // Transforms may be a list for several robots.
+  // Transforms may be in a list for several robots, so missing ones cause only a warning.
   require(!diagnostics.has_errors() || asks_by_name(document), "what the robot lacks is more than a warning", messages);
   if (diagnostics.has_errors()) return;
   if (desired.transforms.size() + desired.jacobians.size() > kMaxPairs) return;

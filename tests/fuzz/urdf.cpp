@@ -1,4 +1,4 @@
-// Any URDF: it is refused with messages, or the robot that it is can be written as a document, and read from there.
+// Any URDF: either it is refused with messages, or its robot can be written as a document and read back from there.
 #include "import/urdf.h"
 #include "export/kinematics.h"
 #include "import/kinematics.h"
@@ -8,7 +8,7 @@ namespace robcogen::fuzz {
 namespace {
 
 void check_urdf(const std::string& text) {
-  // Every combination of options, by the length of the text.
+  // Every combination of options, chosen by the length of the text.
   import::UrdfOptions options;
   options.floating_base = text.size() % 2 != 0;
   options.snap_angles = text.size() / 2 % 2 != 0;

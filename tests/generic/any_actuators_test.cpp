@@ -1,4 +1,4 @@
-// Cylinders of a robot that is picked at run time: those of a leg whose knee is a four-bar.
+// Cylinders of a robot that is chosen at run time: a leg whose knee is a four-bar.
 #include <four_bar_leg/four_bar_leg.h>
 #include <four_bar_leg/reflection.h>
 #include <gtest/gtest.h>

@@ -106,7 +106,7 @@ TYPED_TEST(Any, GivesWhatTheLibraryGives) {
       return stacked<R>(function(x.q, x.qd()));
     }
   };
-  // With none that may be left out: nothing external, and over a fixed base standard gravity.
+  // Without the optional arguments: no external wrenches, and standard gravity with a fixed base.
   if constexpr (R::kFloatingBase)
     robot.bias_forces(x.q, x.v, f, kStandardGravity);
   else
@@ -162,7 +162,7 @@ TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {
   EXPECT_EQ(
       message_of([&] { leg.inverse_dynamics(three, three, three, out, kStandardGravity, std::vector<Wrench>(3)); }),
       "inverse_dynamics of HyL: external has 3 elements and must have 4");
-  // The base belongs to the velocity.
+  // The velocity includes that of the base.
   EXPECT_EQ(
       message_of([&] { quadruped.coriolis_forces(twelve, twelve, out); }),
       "coriolis_forces of Quadruped: v has 12 elements and must have 18");

@@ -1,8 +1,8 @@
-# Each header of the runtime by itself: under C++17 it compiles, or the only error is a line that names the required standard.
-# COMPILER, EIGEN (include directory), HEADERS (include directory), WORK_DIR.
+# Checks each header of the runtime by itself: under C++17 it compiles, or the only error is a line that names the
+# required standard. Variables: COMPILER, EIGEN (include directory), HEADERS (include directory), WORK_DIR.
 set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror)
 
-# The messages of compiling these headers under this standard.
+# Sets `messages` to the messages of compiling these headers under this standard.
 function(compile standard messages)
   set(text "")
   foreach(header IN LISTS ARGN)
@@ -17,7 +17,7 @@ function(compile standard messages)
 endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${HEADERS} ${HEADERS}/robcogen/*.h)
-list(FILTER headers EXCLUDE REGEX "/python/")  # they need those of Python
+list(FILTER headers EXCLUDE REGEX "/python/")  # these need the headers of Python
 set(older "")
 set(newer "")
 foreach(header IN LISTS headers)

@@ -1,4 +1,4 @@
-// Errors of joints under computed torque decay as their poles say, whatever the robot.
+// Joint errors under computed torque decay as their poles prescribe, for every robot.
 #include "robcogen/generic/computed_torque.h"
 
 #include "robcogen/generic/simulation.h"
@@ -11,7 +11,7 @@ template <class Case>
 class ComputedTorque : public ::testing::Test {};
 TYPED_TEST_SUITE(ComputedTorque, AllRobots);
 
-// Truncation of 500 steps, and rounding of inverse against forward dynamics.
+// Truncation of 500 steps, and rounding of inverse and forward dynamics.
 constexpr double kTolerance = 1e-7;
 
 template <class R>
@@ -35,7 +35,7 @@ TYPED_TEST(ComputedTorque, ErrorsDecayAsThePolesSay) {
   const typename R::JointState e = state.q - wanted_at<R>(0).q, ed = state.qd - wanted_at<R>(0).qd;
   ASSERT_GT(e.norm(), 0.3);
 
-  // Time is carried along by the stages of a step as the state is.
+  // Each stage of a step evaluates the setpoint at its own time.
   double largest = 0;
   for (int i = 0; i < 500; ++i) {
     const double t = i * kStep;

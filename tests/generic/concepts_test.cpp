@@ -16,7 +16,7 @@ static_assert(HasCentroidal<hyl::Robot> && HasCentroidal<quadruped::Robot>);
 // In single precision too.
 static_assert(FixedBaseRobot<hyl::f32::Robot> && FloatingBaseRobot<quadruped::f32::Robot>);
 
-// A library with fewer algorithms has just these.
+// A library with fewer algorithms satisfies only their concepts.
 static_assert(RobotTraits<generic_lean::Robot> && FixedBase<generic_lean::Robot>);
 static_assert(HasInverseDynamics<generic_lean::Robot> && HasEnergy<generic_lean::Robot>);
 static_assert(!HasForwardDynamics<generic_lean::Robot> && !HasJointSpaceInertia<generic_lean::Robot>);
@@ -27,7 +27,8 @@ static_assert(!FixedBaseRobot<generic_lean::Robot>);
 // Types that are not robots.
 static_assert(!RobotTraits<int> && !RobotTraits<hyl::JointState>);
 
-// A function that may throw is none for a control loop, and neither is one that returns something else.
+// A function that may throw does not satisfy the concept, which is for control loops; nor does one with another result
+// type.
 struct Throwing : hyl::Robot {
   static JointState inverse_dynamics(const JointState& q, const JointState&, const JointState&) { return q; }
 };
@@ -37,7 +38,7 @@ struct Integral : hyl::Robot {
 static_assert(RobotTraits<Throwing> && !HasInverseDynamics<Throwing>);
 static_assert(HasInverseDynamics<Integral> && !HasJointSpaceInertia<Integral>);
 
-// Functions of a robot that carries something need not be static.
+// Functions of a robot that holds data need not be static.
 struct Carrying : hyl::Robot {
   double mass = 1;
   InertiaMatrix joint_space_inertia(const JointState& q) const noexcept { return mass * hyl::joint_space_inertia(q); }

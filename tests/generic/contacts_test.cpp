@@ -1,5 +1,5 @@
-// Compiled functions of contacts of floating robots, with points and with surfaces, against the dense equations of the
-// reference in long double: with no, one, two and all contacts active.
+// Compiled contact functions of floating robots, with points and with surfaces, compared with the dense equations of
+// the reference in long double: with no, one, two and all contacts active.
 #include <gtest/gtest.h>
 #include <humanoid_on_soles/humanoid_on_soles.h>
 #include <humanoid_on_soles/reflection.h>
@@ -17,7 +17,7 @@ using Real = long double;
 
 constexpr int kStates = 20;
 constexpr double kDense = 1e-10;   // of the largest result
-constexpr double kDigits = 1e-12;  // systems that a dense solve in double cannot solve so well are passed over
+constexpr double kDigits = 1e-12;  // systems that a dense solve in double solves less exactly are skipped
 constexpr float kSingle = 2e-3F;   // of the largest result, in single precision
 
 template <class Vector>
@@ -35,7 +35,7 @@ class ContactCase {
 
   explicit ContactCase(const reflection::Robot& tables) : tables_(tables) {}
 
-  // With the contacts of `active`, rigid. Returns whether the state was compared.
+  // Compares one state with the contacts of `active`, which are rigid. Returns whether the state was compared.
   template <class Active>
   bool compare(std::mt19937_64& engine, const Active& active) const {
     typename Robot::JointState q, qd, tau;

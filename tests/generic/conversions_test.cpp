@@ -1,5 +1,5 @@
-// States in the arrays of other libraries. What stands where is written out by hand for a base that a quarter turn
-// about z moved: its x axis is the world's y axis, its y axis the world's -x axis.
+// States in the arrays of other libraries. The order of the elements is written out by hand, for a base that is rotated
+// by a quarter turn about z: its x axis is the world's y axis, its y axis the world's -x axis.
 #include "robcogen/conversions.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ Floating quarter_turned() {
   return state;
 }
 
-// Axes of the world: (1, 2, 3) becomes (-2, 1, 3), and (4, 5, 6) becomes (-5, 4, 6).
+// In axes of the world (1, 2, 3) becomes (-2, 1, 3), and (4, 5, 6) becomes (-5, 4, 6).
 using Array10 = std::array<double, 10>;
 using Array9 = std::array<double, 9>;
 const Array10 kMujocoPositions = {7, 8, 9, kHalf, 0, 0, kHalf, 0.3, 0.1, 0.2};
@@ -114,7 +114,7 @@ TEST(Conversions, Ros) {
   expect_near(from_ros<Floating>(odometry, position.data(), velocity.data(), order), quarter_turned());
 }
 
-// A general orientation, from one library through all others.
+// Converts a general orientation from one library through all others.
 TEST(Conversions, Chain) {
   std::mt19937_64 engine(21);
   const JointOrder<3> order = order_of(kTheirs);

@@ -1,4 +1,5 @@
-// The design studies of robots/design: the shapes of their curves, and derivatives by parameters against differences.
+// The design studies of robots/design: the shapes of their curves, and derivatives with respect to parameters compared
+// with differences.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ TEST(SquatJump, HasAnOptimumWithLimitedTorquesOnly) {
     const std::size_t best = place_of_most(limited);
     EXPECT_GT(limited[best].x, 0.299) << start;
     EXPECT_LT(limited[best].x, 0.401) << start;
-    // Lower on both sides, by more than the noise of the contacts.
+    // The curve is lower at both ends, by more than the noise of the contacts.
     EXPECT_LT(limited.front().value, limited[best].value - 0.02) << start;
     EXPECT_LT(limited.back().value, limited[best].value - 0.02) << start;
     for (std::size_t i = 1; i < free.size(); ++i) EXPECT_GT(free[i].value, free[i - 1].value) << start << ", " << i;
@@ -46,7 +47,7 @@ TEST(SquatJump, HasAnOptimumWithLimitedTorquesOnly) {
 }
 
 TEST(SquatJump, RisesByTheEnergyOfLiftOff) {
-  // The legs are light, so that the trunk flies nearly as a point does.
+  // The legs are light, so that the trunk flies nearly like a point mass.
   const Jump jump = squat_jump(Parameters(with_lengths(0.35, 0.33)), kStarts[0], constant_limit(kTorqueLimit));
   const double ballistic = jump.lift_off_speed * jump.lift_off_speed / (2 * 9.81);
   EXPECT_GT(jump.rise, 0.5 * ballistic);
@@ -60,7 +61,7 @@ TEST(SquatJump, RisesByTheEnergyOfLiftOff) {
   }
 }
 
-// Of one core.
+// CPU time of one core.
 TEST(SquatJump, SeventyTwoTakeLessThanOneAndAHalfSeconds) {
   const std::clock_t before = std::clock();
   for (const double start : kStarts)
@@ -94,7 +95,7 @@ TEST(TrotPower, FeetMoveAsTheirDerivativesSay) {
     EXPECT_LT(((after.positions - before.positions) / time - now.velocities).norm(), 1e-6);
     EXPECT_LT(((after.velocities - before.velocities) / time - now.accelerations).norm(), 1e-6);
     EXPECT_EQ(now.on_ground.sum(), 2);
-    // The joints move the feet so.
+    // These feet motions follow from the motion of the joints.
     const Parameters parameters(with_lengths(0.37, 0.31));
     const Motion m = motion(parameters, now.positions, now.velocities, now.accelerations, bent_knees());
     EXPECT_LT((feet_positions(parameters, m.q) - now.positions).norm(), 1e-12);
@@ -103,7 +104,7 @@ TEST(TrotPower, FeetMoveAsTheirDerivativesSay) {
                behind = feet_positions(parameters, m.q - h * m.qd + h * h / 2 * m.qdd);
     EXPECT_LT(((ahead - behind) / (2 * h) - now.velocities).norm(), 1e-7);
   }
-  // From stance to swing without a jump.
+  // The motion is continuous from stance to swing.
   const FeetMotion end = trotting_feet(trot, 0.5 - 1e-9), start = trotting_feet(trot, 0.5 + 1e-9);
   EXPECT_LT((end.positions - start.positions).norm(), 1e-7);
   EXPECT_LT((end.velocities - start.velocities).norm(), 1e-6);
@@ -125,7 +126,7 @@ TEST(TrotPower, FeetOnTheGroundCarryTheWeight) {
   EXPECT_NEAR(sum, kMass * 9.81, 0.02 * kMass * 9.81);  // the moment about the feet takes the rest
 }
 
-// Each column: the parameter alone, through the motion of the legs too.
+// Each column changes one parameter alone, including its effect on the motion of the legs.
 TEST(TrotPower, GradientsAreThoseOfDifferences) {
   for (const double speed : kSpeeds) {
     for (const bool is_electric : {false, true}) {
@@ -172,11 +173,11 @@ TEST(Search, GradientsSaveEvaluations) {
   EXPECT_LT(with.evaluations, without.evaluations);
   EXPECT_NEAR(with.value, without.value, 1e-4 * with.value);
   EXPECT_NEAR(with.x[0], without.x[0], 0.005);
-  // The legs are as short as they may be, and their parts nearly equal.
+  // The legs are as short as they may be, and their two parts are nearly equal.
   EXPECT_NEAR(with.x[0] + with.x[1], 0.66, 1e-6);
   EXPECT_NEAR(with.x[0], 0.33, 0.05);
 
-  // Four variables: no small change is better.
+  // With four variables, no small change of the two motor variables is better.
   const Problem problem = trot_of_lengths_and_motors(1.0);
   const Optimum best = minimise(problem, Method::slsqp);
   ASSERT_EQ(best.x.size(), 4U);

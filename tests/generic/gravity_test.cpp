@@ -1,5 +1,5 @@
-// With a floating base gravity says how the base is oriented: no function does without it, in any form of its
-// arguments.
+// With a floating base gravity expresses the orientation of the base, so every function requires it, whatever its other
+// arguments are.
 #include "robots.h"
 
 #if __has_include(<quadruped/batch.h>)
@@ -9,7 +9,7 @@
 namespace robcogen::test {
 namespace {
 
-// Whether the functions can be called with these arguments.
+// True if the function can be called with these arguments.
 template <class R, class... Arguments>
 constexpr bool kInverse = requires(const R& robot, const Arguments&... a) {
   robot.inverse_dynamics(a...);
@@ -35,7 +35,7 @@ constexpr bool kPotential = requires(const R& robot, const Arguments&... a) {
   robot.potential_energy(a...);
 };
 
-// All functions, of positions or of their sines and cosines, behind the same arguments for loads.
+// Returns how many functions can be called with these loads, with positions or with their sines and cosines.
 template <class R, class Positions, class... Loads>
 constexpr int callable() {
   using State = typename R::JointState;

@@ -1,4 +1,4 @@
-// The experiment of robots/identification: an arm is known by its torques.
+// The experiment of robots/identification: an arm is identified from its torques.
 #include "identification.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Identification, NoiseIsWhatIsSaid) {
   for (int j = 0; j < kJoints; ++j) EXPECT_NEAR(deviation[j] / noise()[j], 1, 0.1);
 }
 
-// Errors of another motion are far below the noise of what was measured, and those of the guess above it.
+// Errors for other motions are far below the noise of the measurements, and those of the guess are above it.
 TEST(Identification, LeastSquaresPredictOtherMotions) {
   const JointState error = prediction_error(experiment().others, experiment().identified);
   const JointState of_guess = prediction_error(experiment().others, with(experiment().guess));
@@ -73,7 +73,7 @@ TEST(Identification, LinksAreRealBodies) {
   EXPECT_GT(least_moment(bodies), 0);
   const JointState error = prediction_error(experiment().others, with(bodies));
   for (int j = 0; j < kJoints; ++j) EXPECT_LT(error[j], 0.5 * noise()[j]) << j;
-  // The measurements say more than the guess.
+  // The identified parameters are closer to the actual ones than the guess is.
   const auto of = [](const InertialParameters& pi) { return puma::base_parameters(pi); };
   EXPECT_LT(
       (of(bodies) - of(actual_parameters())).norm(), 0.5 * (of(experiment().guess) - of(actual_parameters())).norm());

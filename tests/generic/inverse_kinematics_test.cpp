@@ -1,4 +1,4 @@
-// Damped least squares reaches poses that can be reached.
+// Damped least squares reaches poses that are reachable.
 #include "robcogen/generic/inverse_kinematics.h"
 
 #include <Eigen/SVD>
@@ -25,7 +25,7 @@ struct QuadrupedFoot {
   static auto jacobian(const JointState& q) { return quadruped::jacobians::fr_trunk_J_fr_RH_foot(q); }
   static constexpr auto kColumns = quadruped::jacobians::fr_trunk_J_fr_RH_foot_columns;
 };
-// One hand with respect to the other: the columns are those of both arms.
+// One hand with respect to the other: the columns belong to both arms.
 struct CentaurHands {
   using JointState = centaur::JointState;
   static auto pose(const JointState& q) { return centaur::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
@@ -43,11 +43,11 @@ TYPED_TEST_SUITE(InverseKinematics, Chains);
 constexpr double kDamping = 1e-8;
 constexpr int kSteps = 200;
 constexpr int kTargets = 200;
-// rad and m together; rounding of poses some metres and joints away.
+// rad and m together; rounding of poses that are some metres and joints away.
 constexpr double kReached = 1e-9;
 
 // Steps slow down where the Jacobian loses rank, and there may be no way out of a singularity: targets and starts keep
-// this far from one.
+// this distance from one.
 constexpr double kSmallestSingularValue = 0.03;
 
 template <class Chain>
@@ -66,7 +66,7 @@ TYPED_TEST(InverseKinematics, ReachesRandomTargets) {
   const TypeParam chain;
   std::mt19937_64 engine(11);
   for (int i = 0; i < kTargets; ++i) {
-    // The target is the pose at joints up to half a radian away, so there is a way.
+    // The target is the pose for joints up to half a radian away, so that it can be reached.
     const Joints start = regular_joints<TypeParam>(engine, Joints::Zero(), 3);
     const Eigen::Matrix4d target = chain.pose(regular_joints<TypeParam>(engine, start, 0.5));
     Joints q = start;

@@ -1,4 +1,4 @@
-// Limbs: of types of robots, and of robots that are chosen at run time.
+// Limbs of robot types, and of robots that are chosen at run time.
 #include <gtest/gtest.h>
 #include <hyl/hyl.h>
 #include <hyl/reflection.h>
@@ -17,7 +17,7 @@ namespace {
 
 using robcogen::Limb;
 
-// At compile time.
+// Limbs are available at compile time.
 constexpr const Limb& kHindLeg = quadruped::limbs[index(quadruped::Limb::RH)];
 static_assert(kHindLeg.joint("KFE") == index(quadruped::Joint::RH_KFE));
 static_assert(kHindLeg.link("upperleg") == index(quadruped::Link::RH_upperleg));
@@ -27,7 +27,7 @@ static_assert(kHindLeg.frame("hand") == -1);
 static_assert(robcogen::limbs_of<quadruped::Robot>().size == 4);
 static_assert(robcogen::limbs_of<hyl::Robot>().size == 0);
 
-// Every element of a limb has the name of the limb before that in the part.
+// The name of each element of a limb is that of the limb, followed by its own name in the part.
 void check_names(const robcogen::reflection::Robot& robot) {
   for (const Limb& limb : robot.limbs) {
     const std::string prefix = std::string(limb.name) + "_";
@@ -48,7 +48,7 @@ TEST(Limbs, HaveTheNamesOfTheirElements) {
   EXPECT_EQ(two_arms::reflection::robot.limbs.size, 4);
 }
 
-// Of the hand on an arm: it is one of the arm, too, and joints that follow others are left out.
+// A hand on an arm is a limb of its own whose elements belong to the arm, too. Followers are left out.
 TEST(Limbs, ContainLimbs) {
   const robcogen::Limb& arm = two_arms::limbs[index(two_arms::Limb::right)];
   const robcogen::Limb& hand = two_arms::limbs[index(two_arms::Limb::right_hand)];
@@ -60,7 +60,7 @@ TEST(Limbs, ContainLimbs) {
   EXPECT_STREQ(hand.part, "Gripper");
 }
 
-// Each joint belongs to one limb, and to its links.
+// Each joint belongs to one limb, which contains its child link.
 TEST(Limbs, ShareNoJoints) {
   const robcogen::reflection::Robot& robot = quadruped::reflection::robot;
   std::set<int> joints;

@@ -1,4 +1,4 @@
-// What a call says about its arguments.
+// The message of a call about its arguments.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace robcogen::test {
 
-// The text of the std::invalid_argument that it throws; `no error` where it throws none.
+// Returns the text of the std::invalid_argument that the call throws, or `no error` if it throws none.
 template <class Call>
 std::string message_of(const Call& call) {
   try {

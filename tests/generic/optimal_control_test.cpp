@@ -1,5 +1,5 @@
-// The programs of robots/optimal_control: motions that reach their goals, linearisations against differences, a
-// quadruped that stands.
+// The programs of robots/optimal_control: motions that reach their goals, linearisations compared with differences, and
+// a quadruped that stands.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +24,7 @@ const PumaMotion& puma_motion() {
   return motion;
 }
 
-// Central differences of a step.
+// Compares a linearisation with central differences of a step.
 template <int n, int m, class Step>
 void expect_linearisation(
     const Step& step,
@@ -61,7 +61,7 @@ TEST(SwingUp, CartPoleStandsUp) {
   EXPECT_NEAR(t.x.back()[1], M_PI, 0.01);
   EXPECT_LT(t.x.back().tail<2>().norm(), 0.05);
   EXPECT_NEAR(t.x.back()[0], 0, 0.01);
-  // The tip is above the cart, and was below.
+  // The tip is above the cart in the end, and was below it.
   const auto height = [](const Eigen::Vector4d& x) {
     return cart_pole::transforms::homogeneous::fr_base_X_fr_tip(x.head<2>())(2, 3);
   };
@@ -96,7 +96,7 @@ TEST(SwingUp, WeakArmStandsUp) {
     const Vector6 share = m.force(k).cwiseQuotient(m.limits);
     EXPECT_LE(share.cwiseAbs().maxCoeff(), 1) << k;
   }
-  // It is weak: with full torque at the shoulder, the arm held out falls.
+  // The arm is weak: held out, it falls with full torque at the shoulder.
   Vector6 full = Vector6::Zero();
   full.head<2>() << 0, -m.limits[1];
   EXPECT_GT(puma560_control::forward_dynamics(Vector6::Zero(), Vector6::Zero(), full)[1], 0);
@@ -134,7 +134,7 @@ TEST(Standing, IsAnUnstableEquilibrium) {
   for (int foot = 0; foot < 4; ++foot) weight += s.forces[3 * foot + 2];
   EXPECT_NEAR(weight, kMass * 9.81, 1e-9 * weight);
   EXPECT_GT(s.rate.eigenvalues().real().maxCoeff(), 1);
-  // Without the regulator it falls.
+  // Without the regulator the robot falls.
   const auto fallen = push(s, Matrix12::Zero(), Vector6(Vector6::Unit(3) * 0.01), 1);
   EXPECT_GT(fallen.back().state.head<6>().norm(), 0.1);
 }
@@ -144,7 +144,7 @@ TEST(Standing, RegulatedEigenvaluesAreInsideTheUnitCircle) {
   const Matrix12 K = regulator(s);
   EXPECT_LT(closed_loop_moduli(s, K).maxCoeff(), 0.995);
   EXPECT_GT(s.A.eigenvalues().cwiseAbs().maxCoeff(), 1.01);
-  // One input, one state: the root of a quadratic equation.
+  // With one input and one state, the gain follows from a quadratic equation.
   Matrix12 A = Matrix12::Zero(), B = Matrix12::Zero();
   A(0, 0) = 1.5;
   B(0, 0) = 0.5;
@@ -163,7 +163,7 @@ TEST(Standing, LinearModelPredictsTheRobot) {
     const auto instants = push(s, K, Vector6(Vector6::Unit(k) * 1e-4), kSteps * kControlStep);
     Vector12 x = instants.front().state;
     for (int i = 0; i < kSteps; ++i) x = ((s.A + s.B * K) * x).eval();
-    // The robot's steps are of the first order, 0.2 ms.
+    // The robot is simulated by first-order steps of 0.2 ms.
     EXPECT_LT((instants[kSteps].state - x).norm(), 0.03 * x.norm()) << k;
   }
 }

@@ -1,4 +1,4 @@
-// Derivatives of poses, and accelerations, against finite differences in long double.
+// Derivatives of poses, and accelerations, compared with finite differences in long double.
 #include <gtest/gtest.h>
 
 #include "poses.h"
@@ -14,11 +14,12 @@ using Vector6 = Eigen::Matrix<Real, 6, 1>;
 using Matrix6 = Eigen::Matrix<Real, 6, 6>;
 
 constexpr Real kStep = 1e-6L;
-// Central differences: the square of the step, and the rounding of long double divided by it.
+// Error of central differences: the square of the step, and the rounding of long double divided by the step.
 constexpr Real kDifference = 1e-11L;
 constexpr Real kAngles[] = {0, 1e-9L, 1e-4L, 0.3L, 0.999L, 1.001L, 2, 3};
 
-// Column k: the change of function(change), a pose, by the k-th element of the change, in coordinates of function(0).
+// Column k is the derivative of function(change), a pose, with respect to element k of the change, in coordinates of
+// function(0).
 template <class Function>
 Matrix6 derivative_of_pose(const Function& function) {
   Matrix6 result;

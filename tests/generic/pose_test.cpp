@@ -1,4 +1,5 @@
-// Poses of a base: the orders of their makers, gravity, motion and its inverse, against series in long double.
+// Poses of a base: the element orders of the functions that make them, gravity, integration and its inverse, compared
+// with series in long double.
 #include "robcogen/pose.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ TEST(BasePose, TransformsMapToTheWorld) {
   const Vector3d point(0.1, 0.2, -0.7), w(1, -2, 3), v(0.5, 0.3, -0.1);
   const Vector3d mapped = pose.rotation() * point + pose.position();
   EXPECT_LT(((pose.homogeneous() * point.homogeneous()).head<3>() - mapped).norm(), kRounding);
-  // The world origin is a point of the moving space: v - w x p there.
+  // The linear part is the velocity of the point of the moving body at the world origin, v - w x p.
   const Eigen::Matrix<double, 6, 1> twist = pose.motion_transform() * Twist(w, v).vector();
   const Vector3d at_world_origin = pose.rotation() * v - (pose.rotation() * w).cross(pose.position());
   EXPECT_LT((twist.head<3>() - pose.rotation() * w).norm(), kRounding);
@@ -145,7 +146,7 @@ TEST(Difference, IsTheInverseOfIntegrate) {
   }
 }
 
-// From the origin nothing is subtracted, so that small turns keep their relative precision.
+// From the origin nothing is subtracted, so that small rotations keep their relative precision.
 TEST(Difference, KeepsTheDigitsOfSmallTurns) {
   for (const double angle : {1e-12, 1e-100, 1e-150}) {
     const Twist velocity(Vector3d(0, angle, 0), Vector3d::Zero());
@@ -171,7 +172,8 @@ TEST(Difference, OfHalfATurnLeadsThere) {
   EXPECT_LT((integrate(BasePose(), d, 1).homogeneous() - half.homogeneous()).norm(), kRounding);
 }
 
-// One turn in a thousand steps, a million steps in all. Without normalisation the length of the quaternion walks away.
+// One turn in a thousand steps, a million steps in all. Without normalisation the length of the quaternion would
+// change.
 TEST(Integrate, DoesNotDrift) {
   BasePose pose;
   const Twist velocity(Vector3d(2, -1, 2) * (2 * kPi / 3), Vector3d(0.1, 0.2, 0.3));

@@ -40,7 +40,7 @@ inline Matrix4 exact_homogeneous(const BasePose& pose) {
   return X;
 }
 
-// The power series of the matrix exponential, after the argument was halved ten times; then squared as often.
+// The power series of the matrix exponential for the argument divided by 2^10; the result is squared ten times.
 inline Matrix4 exact_exponential(const Twist& twist) {
   constexpr int kHalvings = 10, kTerms = 20;
   const Eigen::Matrix<long double, 6, 1> t = twist.vector().cast<long double>() / (1 << kHalvings);

@@ -1,4 +1,4 @@
-// Positions with quaternions: integration and its inverse, simulation, control and AnyRobot of a robot with ball
+// Positions with quaternions: integration and its inverse, simulation, control, and AnyRobot for a robot with ball
 // joints.
 #include "robcogen/positions.h"
 
@@ -25,7 +25,7 @@ static_assert(kQuaternions<R>.size() == 2 && kQuaternions<R>[0] == 0 && kQuatern
 static_assert(ball_leg::index(ball_leg::Position::knee) == 4 && ball_leg::index(ball_leg::Joint::knee) == 3);
 static_assert(std::is_same_v<JointPositions<hyl::Robot>, hyl::JointState>);
 
-// A robot with loops that are assembled away from zero: three coordinates, and a joint that follows.
+// A robot with a loop that is assembled away from zero: three coordinates, and one follower.
 struct Assembled {
   using Scalar = double;
   using JointState = Eigen::Vector3d;
@@ -55,7 +55,7 @@ TEST(Positions, WaysLeadFromOneToTheOther) {
       for (const int k : kQuaternions<R>) EXPECT_NEAR(to.segment<4>(k).norm(), 1.0, 1e-15);
       const double scale = 1e-15 + 1e-14 * limit;
       EXPECT_LT((position_difference<R>(from, to) - way).norm(), 40 * (scale + 1e-16)) << limit;
-      // The other sign of a quaternion is the same orientation.
+      // A quaternion of the other sign is the same orientation.
       Q other = to;
       other.segment<4>(5) *= -1;
       EXPECT_LT((position_difference<R>(from, other) - way).norm(), 40 * (scale + 1e-16)) << limit;
@@ -63,7 +63,8 @@ TEST(Positions, WaysLeadFromOneToTheOther) {
   }
 }
 
-// What other languages have, against the header: also where nothing moves, and close to half a turn.
+// Compares the generated functions, which other languages have, with the header: also where nothing moves, and close to
+// half a turn.
 TEST(Positions, GeneratedFunctionsMoveThemAlike) {
   std::mt19937_64 engine(7);
   for (const double limit : {0.0, 1e-17, 1e-9, 1e-3, 1.0, 1.8}) {
@@ -81,7 +82,7 @@ TEST(Positions, GeneratedFunctionsMoveThemAlike) {
   }
 }
 
-// By matrices: the child turns about its own axes, exp([w]x).
+// Compares with rotation matrices: the child turns about its own axes, exp([w]x).
 TEST(Positions, TurnsAreThoseOfTheChild) {
   std::mt19937_64 engine(2);
   for (int i = 0; i < 50; ++i) {
@@ -97,7 +98,7 @@ TEST(Positions, TurnsAreThoseOfTheChild) {
   }
 }
 
-// Of one of the way's ends as seen by the functions: the velocity of the toe.
+// Compares the velocity of the toe with its rate along integrated positions.
 TEST(Positions, RatesAreThoseOfFrames) {
   std::mt19937_64 engine(3);
   for (int i = 0; i < 20; ++i) {
@@ -132,7 +133,7 @@ State<R> moving_state() {
   return state;
 }
 
-// Joint forces make up for damping.
+// Joint forces that compensate damping.
 Way undamped(const State<R>& s) {
   Way tau;
   for (int j = 0; j < R::kDof; ++j) tau[j] = R::kJointDrives[static_cast<std::size_t>(j)].damping * s.qd[j];
@@ -169,7 +170,7 @@ TEST(Positions, SemiImplicitEulerConverges) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.2);
 }
 
-// The errors of all joints decay, those of orientation too.
+// The errors of all joints decay, including those of orientations.
 TEST(Positions, ComputedTorqueFollowsOrientations) {
   State<R> s = moving_state();
   Setpoint<R> wanted;

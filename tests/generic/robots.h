@@ -1,4 +1,4 @@
-// The robots that generic code is tried on, and a state of each to start from.
+// The robots that generic code is tested on, and an initial state of each.
 #pragma once
 
 #include <centaur/centaur.h>
@@ -44,7 +44,7 @@ JointState uniform_joints(std::mt19937_64& engine, double limit) {
   return result;
 }
 
-// Some posture, moving by about a rad/s.
+// A random posture that moves at about 1 rad/s.
 template <class R>
 State<R> moving_state(std::mt19937_64& engine) {
   State<R> state;
@@ -57,7 +57,7 @@ State<R> moving_state(std::mt19937_64& engine) {
   return state;
 }
 
-// For the reference, which computes with types of its own.
+// Converts to the vector type of the reference.
 template <class Eigens>
 reference::Vector<double> vector(const Eigens& v) {
   reference::Vector<double> result(static_cast<int>(v.size()));

@@ -1,4 +1,4 @@
-// The controller of robots/ros2 on the simulated arm, by itself and as the plugin that ros2_control would load.
+// The controller of robots/ros2 on the simulated arm, both by itself and as the plugin that ros2_control would load.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -13,7 +13,7 @@ using demo_arm::JointState;
 
 constexpr double kStep = 1e-3;  // s
 
-// Moves the arm under the commands for one step; states are positions and velocities in turn.
+// Moves the arm for one step under the commands; `states` holds the position and the velocity of each joint in turn.
 void advance(std::vector<double>& states, const std::vector<double>& commands) {
   JointState q, qd;
   for (int j = 0; j < 3; ++j) q[j] = states[2 * std::size_t(j)], qd[j] = states[2 * std::size_t(j) + 1];
@@ -108,7 +108,7 @@ TEST(Ros2Plugin, DrivesTheArm) {
   ASSERT_EQ(plugin.on_configure({}), CallbackReturn::SUCCESS);
   ASSERT_EQ(plugin.on_activate({}), CallbackReturn::SUCCESS);
   ASSERT_EQ(plugin.update({}, {}), controller_interface::return_type::OK);
-  // At rest at the goal, the forces are those that hold the arm.
+  // At rest at the goal, the commands are the forces that hold the arm.
   const JointState held = demo_arm::gravity_forces(JointState(0.2, -0.5, 0.7));
   for (int j = 0; j < 3; ++j) EXPECT_NEAR(commands[std::size_t(j)], held[j], 1e-12);
   states[1] = std::numeric_limits<double>::quiet_NaN();

@@ -11,8 +11,8 @@ auto free_motion(const R& robot) {
   return [robot](const State<R>& s) { return acceleration(robot, s, R::JointState::Zero()); };
 }
 
-// Springs and dampers, so that no symmetry hides an error; scaled by the inertia that each joint feels, so that they
-// are stiff for none.
+// Springs and dampers, so that no symmetry hides an error. They are scaled by the inertia that each joint moves, so
+// that they are stiff for no joint.
 template <class R>
 auto pushed_motion(const R& robot) {
   const typename R::JointState felt =
@@ -61,7 +61,7 @@ TYPED_TEST_SUITE(Simulation, AllRobots);
 
 // Short enough that the lightest link's motion is smooth, long enough that errors are above rounding.
 constexpr double kDuration = 0.05;  // s
-// Terms of the next order are still felt at these steps.
+// Terms of the next order are still visible at these steps.
 constexpr double kOrderTolerance = 0.15;
 
 // Halving the step divides the error by 2^order, measured against a far finer solution.
@@ -84,7 +84,7 @@ template <class R>
 double energy(const reflection::Robot& tables, const State<R>& state) {
   const double kinetic = reference::kinetic_energy(tables, motion_of(state));
   if constexpr (R::kFloatingBase) {
-    // The base origin's own height is not in the potential energy about it.
+    // The potential energy about the base origin does not include the height of that origin.
     const double lifted = -reference::moving_mass(tables) * Gravity::standard().vector().dot(state.pose.position());
     return kinetic + lifted +
            reference::potential_energy(tables, vector(state.q), vector(gravity_in_base(state).vector()));
@@ -93,8 +93,8 @@ double energy(const reflection::Robot& tables, const State<R>& state) {
   }
 }
 
-// By the independent reference, of a second of free swing. A step of 0.1 ms leaves a truncation of about 1e-10 for the
-// lightest links, which turn by some tens of rad/s.
+// For the energy after one second of free swing, computed by the independent reference. A step of 0.1 ms leaves a
+// truncation of about 1e-10 for the lightest links, which turn at some tens of rad/s.
 constexpr double kDrift = 1e-8;
 
 TYPED_TEST(Simulation, FreeSwingKeepsItsEnergy) {
@@ -114,7 +114,7 @@ template <class Case>
 class FloatingSimulation : public ::testing::Test {};
 TYPED_TEST_SUITE(FloatingSimulation, FloatingRobots);
 
-// World axes: position of the centre of mass, momentum, and angular momentum about the centre of mass.
+// In world axes: position of the centre of mass, momentum, and angular momentum about the centre of mass.
 struct Whole {
   Eigen::Vector3d com, linear, spin;
 };
@@ -131,7 +131,7 @@ Whole whole(const reflection::Robot& tables, const State<R>& state) {
       pose.to_world_axes(angular - com.cross(linear))};
 }
 
-// Joint forces are internal: whatever they do, the whole falls as a stone and keeps its spin.
+// Joint forces are internal: whatever they are, the whole robot falls like a stone and keeps its angular momentum.
 TYPED_TEST(FloatingSimulation, FallsAsAStone) {
   using R = typename TypeParam::Robot;
   constexpr double kFall = 0.5;  // s
@@ -151,7 +151,7 @@ TYPED_TEST(FloatingSimulation, FallsAsAStone) {
   EXPECT_LT((after.spin - before.spin).norm(), kDrift * mass);
 }
 
-// A body that turns steadily about its own z axis: the orientation is the turn by rate times time, whatever the step.
+// A body that turns steadily about its own z axis: its angle is the rate times the time, whatever the step is.
 TEST(SemiImplicitEuler, TurnsByTheAngularVelocity) {
   using R = quadruped::Robot;
   State<R> state;
@@ -161,7 +161,7 @@ TEST(SemiImplicitEuler, TurnsByTheAngularVelocity) {
   };
   for (int i = 0; i < 10; ++i) state = semi_implicit_euler_step(state, 0.1, steady);
   const Eigen::Quaterniond expected(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()));
-  EXPECT_LT(state.pose.quaternion().angularDistance(expected), 1e-7);  // acos near 1 has half of the digits
+  EXPECT_LT(state.pose.quaternion().angularDistance(expected), 1e-7);  // acos near 1 loses half of the digits
   EXPECT_NEAR(state.pose.quaternion().norm(), 1, 1e-15);
 }
 

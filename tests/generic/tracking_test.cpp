@@ -37,7 +37,7 @@ TEST(Tracking, RunsAtItsRate) {
   const Result slow = run(Law::inverse_dynamics, 250, kDuration);
   EXPECT_EQ(slow.loop_times.size(), 376U);  // the first at 0
   EXPECT_EQ(slow.instants.size(), 1501U);
-  // Wanted: five periods a second about the centre.
+  // The desired motion has five periods per second about the centre.
   EXPECT_NEAR(slow.instants[200].wanted[0], slow.instants[0].wanted[0], 1e-12);
   EXPECT_NEAR(slow.instants[50].wanted[1] - slow.instants[0].wanted[1], 0.4, 1e-12);
 }

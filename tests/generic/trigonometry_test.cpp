@@ -1,5 +1,5 @@
-// Functions that take sines and cosines in the place of joint positions, by their types: in double and single
-// precision, of robots of both bases, constant and with parameters.
+// Functions that take sines and cosines in place of joint positions, selected by their types: in double and single
+// precision, for robots with both kinds of bases, constant and with parameters.
 #include <hyl_parametric/hyl_parametric.h>
 
 #include "robcogen/reference/check_trigonometry.h"
@@ -13,7 +13,8 @@ auto largest(const Matrix& m) {
   return m.size() == 0 ? typename Matrix::Scalar(0) : m.cwiseAbs().maxCoeff();
 }
 
-// Sines and cosines of fewer than four angles may be another library's: an ulp off, carried through a function.
+// Sines and cosines of fewer than four angles may come from another library: they differ by an ulp, which the function
+// magnifies.
 template <class Matrix>
 void expect_close(const Matrix& found, const Matrix& expected, const char* what) {
   using Scalar = typename Matrix::Scalar;
@@ -42,7 +43,7 @@ typename R::JointState joints(unsigned seed) {
   return result;
 }
 
-// Turns of many times 2 pi, of one joint after the other: sines and cosines in lanes are for small angles only.
+// Rotates one joint after the other by many turns: sines and cosines in lanes are for small angles only.
 TYPED_TEST(Trigonometry, LargeAnglesAreNoOthers) {
   using R = TypeParam;
   using Scalar = typename R::Scalar;
@@ -52,7 +53,7 @@ TYPED_TEST(Trigonometry, LargeAnglesAreNoOthers) {
     q[k] = Scalar(1e6);
     const typename R::JointTrigonometry given(q, q.array().sin(), q.array().cos());
     expect_close(R::joint_space_inertia(q), R::joint_space_inertia(given), "inertia matrix");
-    if constexpr (R::kFloatingBase) {  // a fixed one feels nothing of its first joint
+    if constexpr (R::kFloatingBase) {  // with a fixed base the first joint has no effect
       q[k] = std::numeric_limits<Scalar>::quiet_NaN();
       EXPECT_TRUE(R::joint_space_inertia(q).hasNaN()) << k;
     }
@@ -93,7 +94,8 @@ TYPED_TEST(Trigonometry, OfOneStateServesAllFunctions) {
   }
 }
 
-// All joints together, as the functions do it that read as many: the same to the last bit.
+// Sines and cosines are computed for all joints together, as in functions that read all joints: the same to the last
+// bit.
 template <class R>
 class TrigonometryOfMany : public ::testing::Test {};
 
@@ -141,7 +143,7 @@ TEST(Trigonometry, ARobotWithParametersTakesThemFirst) {
                   .isApprox(robot.inverse_dynamics(q, qd, qdd), 1e-14));
 }
 
-// The self-check finds two sines in each other's place, in every function that reads one of the two and not the other.
+// The self-check finds two swapped sines in every function that reads at least four.
 using Core = void (*)(const double*, const double*, const double*, double*) noexcept;
 Core right = nullptr;
 void swapped(const double* in, const double* sin_q, const double* cos_q, double* out) noexcept {

@@ -1,6 +1,6 @@
-// The programs of robots/whole_body: programs with nonnegative variables against all their subsets, a step of the
-// ground against generated dynamics with contacts, and motions: the robot stands, no foot slides, and all of its
-// momentum comes from forces.
+// The programs of robots/whole_body: quadratic programs with nonnegative variables, compared with all subsets of free
+// variables; a step of the ground, compared with generated dynamics with contacts; and motions: the robot stands, no
+// foot slides, and all of its momentum comes from forces.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -30,7 +30,7 @@ double cost(const NonnegativeMatrix& Q, const NonnegativeVector& c, const Nonneg
   return x.dot(0.5 * (Q * x) - c);
 }
 
-// The best over all subsets of free variables.
+// The least cost over all subsets of free variables.
 double least_cost(const NonnegativeMatrix& Q, const NonnegativeVector& c) {
   const int n = static_cast<int>(c.size());
   double least = 0;
@@ -52,13 +52,13 @@ TEST(Nonnegative, FindsTheBestOfAllSubsets) {
   std::mt19937_64 engine(7);
   constexpr int kVariables = 7;
   for (int i = 0; i < 200; ++i) {
-    // Of low rank, but for a little: as friction cones have them.
+    // Nearly of low rank, as with friction cones.
     const int rank = 2 + i % 6;
     const NonnegativeMatrix half = random_matrix(engine, rank, kVariables);
     const NonnegativeMatrix Q = half.transpose() * half + 1e-3 * NonnegativeMatrix::Identity(kVariables, kVariables);
     const NonnegativeVector c = random_matrix(engine, kVariables, 1);
     NonnegativeVector x = NonnegativeVector::Zero(kVariables);
-    // From somewhere: what was best for another program.
+    // Starts from any point, such as the optimum of another program.
     if (i % 2 == 0) x = random_matrix(engine, kVariables, 1).cwiseAbs();
     ASSERT_GT(minimise_nonnegative(Q, c, x), 0) << i;
     EXPECT_GE(x.minCoeff(), 0) << i;
@@ -67,11 +67,11 @@ TEST(Nonnegative, FindsTheBestOfAllSubsets) {
   }
 }
 
-// Where all feet carry and none slides, a step is forward dynamics whose contacts come to rest within it.
+// When all feet carry and none slides, a step is forward dynamics with contacts that come to rest within the step.
 TEST(Ground, StepIsConstrainedForwardDynamics) {
   using Rows = Sizes<Quadruped>::Rows;
   constexpr double kStep = 2.5e-4;
-  constexpr double kNear = 1e-5;  // sweeps end
+  constexpr double kNear = 1e-5;  // the iteration ends after some sweeps
   const Quadruped::Robot robot;
   StateOf<Quadruped> state = standing_state<Quadruped>();
   const Stand<Quadruped> plan(state);
@@ -79,7 +79,7 @@ TEST(Ground, StepIsConstrainedForwardDynamics) {
   Ground<Quadruped> ground(kFriction, kStep);
   for (int i = 0; i < 40; ++i) {
     const auto command = controller(state, plan(i * kStep, state));
-    // The ground stops velocities of points; the generated function is told accelerations.
+    // The ground stops the velocities of points; the generated function takes accelerations.
     const Rows stop = robot.contact_bias(state.q, state.qd, state.base_velocity) -
                       robot.contact_velocity(state.q, state.qd, state.base_velocity) / kStep;
     const auto expected = robot.constrained_forward_dynamics(
@@ -106,7 +106,7 @@ TEST(Controller, ForcesAreInTheirConesAndGiveTheMotion) {
     EXPECT_GE(force.z(), Settings{}.least_force / Humanoid::kPointsPerContact);
     EXPECT_LE(force.head<2>().norm(), Settings{}.friction * force.z() + 1e-9);
   }
-  // By forward dynamics with these forces on the soles.
+  // Compare with forward dynamics under these forces on the soles.
   Humanoid::Robot::LinkWrenches external;
   const auto frames = Humanoid::contact_frames(state.q);
   const humanoid_on_soles::Link feet[] = {humanoid_on_soles::Link::left_foot, humanoid_on_soles::Link::right_foot};
@@ -129,7 +129,7 @@ TEST(Controller, ForcesAreInTheirConesAndGiveTheMotion) {
   EXPECT_LT((motion.base_acceleration.vector() - command.acceleration.head<6>()).cwiseAbs().maxCoeff(), 1e-8 * size);
 }
 
-// As control in real time wants it.
+// Real-time control must not allocate.
 template <Body B>
 void expect_no_allocation() {
   StateOf<B> state = standing_state<B>();
@@ -152,7 +152,7 @@ TEST(Controller, DoesNotAllocate) {
 }
 
 struct Limits {
-  double astray, slip;  // m: centre of mass from its goal at the end; feet
+  double astray, slip;  // m: final distance of the centre of mass from its goal; displacement of the feet
 };
 
 void expect_sound(const Motion& motion, const Limits& limits) {
@@ -166,8 +166,8 @@ void expect_sound(const Motion& motion, const Limits& limits) {
   EXPECT_LT(motion.greatest_slip, limits.slip);
   EXPECT_LT(motion.greatest_depth, 1e-4);
   EXPECT_LE(motion.greatest_friction, kFriction + 1e-9);
-  // Newton's second law for the whole: nothing but the ground, gravity and the push moves the robot. Steps are of the
-  // first order.
+  // Newton's second law for the whole robot: only the ground, gravity and the push change its momentum. Steps are of
+  // the first order.
   EXPECT_LT((motion.momentum_given - motion.momentum).norm(), 0.01);
   const std::string text = picture(motion);
   EXPECT_EQ(text.rfind("</svg>\n"), text.size() - 7);
@@ -185,7 +185,7 @@ TEST(WholeBody, QuadrupedStandsUnderAPush) {
   expect_sound(motion, {2e-3, 1e-3});
   EXPECT_LT(motion.last_speed, 1e-3);
   EXPECT_NEAR(weight_at_end(motion), 9.81 * Quadruped::kMass, 0.5);
-  // It was moved, and is not held by anything.
+  // The push moved the robot, so nothing else holds it.
   double farthest = 0;
   for (const Instant& i : motion.instants)
     if (i.time > motion.push_begins)
@@ -200,7 +200,7 @@ TEST(WholeBody, HumanoidStandsUnderAPush) {
   EXPECT_NEAR(weight_at_end(motion), 9.81 * Humanoid::kMass, 0.5);
 }
 
-// More than any feet can hold, without a step.
+// A push that no feet can resist without a step.
 TEST(WholeBody, HumanoidFallsUnderAGreatPush) {
   const Motion motion = humanoid_stands({500, 0, 0});
   EXPECT_TRUE(motion.has_fallen);

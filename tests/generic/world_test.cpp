@@ -1,5 +1,5 @@
-// Frames in the world: Jacobians with base columns and accelerations against finite differences of positions, wrenches
-// against the transforms of forces.
+// Frames in the world: Jacobians with base columns and accelerations, compared with finite differences of positions;
+// wrenches, compared with the transforms of forces.
 #include "robcogen/world.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ Vector6 foot_velocity(const State& s) {
   return rows_in_axes<double, 1>(s.pose.rotation(), foot_jacobian(s) * velocity_of(s));
 }
 
-// Constant accelerations for a short time; terms of the second order cancel in central differences.
+// Moves with constant accelerations for a short time; terms of the second order cancel in central differences.
 State moved(const State& s, const Coordinates& acceleration, double t) {
   State result = s;
   result.q += t * s.qd;
@@ -71,7 +71,7 @@ TEST(World, JacobianWithBaseGivesVelocities) {
     EXPECT_LT((velocity.tail<3>() - (up.position() - down.position()) / (2 * kStep)).norm(), kDifference);
     const Eigen::Vector3d turn = foot_in_world(s).to_world_axes(difference(down, up).angular()) / (2 * kStep);
     EXPECT_LT((velocity.head<3>() - turn).norm(), kDifference);
-    // In the foot's own axes the same velocity is seen turned.
+    // In axes of the foot the same velocity is rotated.
     const Eigen::Matrix3d R = homogeneous::fr_trunk_X_fr_LF_foot(s.q).topLeftCorner<3, 3>();
     const Vector6 local = rows_in_axes<double, 1>(R.transpose(), foot_jacobian(s) * velocity_of(s));
     EXPECT_LT((foot_in_world(s).to_world_axes(local.tail<3>()) - velocity.tail<3>()).norm(), kRounding);
@@ -93,7 +93,7 @@ TEST(World, BiasCompletesTheAcceleration) {
   }
 }
 
-// The generated velocities and accelerations of a frame with respect to the base, seen from the world.
+// The generated velocities and accelerations of a frame with respect to the base, transformed to the world.
 TEST(World, FramesMoveAsTheirPosesDo) {
   std::mt19937_64 engine(54);
   namespace velocities = quadruped::velocities;
@@ -121,7 +121,7 @@ TEST(World, FramesMoveAsTheirPosesDo) {
         velocities::fr_trunk_V_fr_LF_foot(s.q, s.qd),
         accelerations::fr_trunk_A_fr_LF_foot(s.q, s.qd, a.tail<quadruped::kDof>()));
     EXPECT_LT((acceleration - (velocity_in(up) - velocity_in(down)) / (2 * kStep)).norm(), kDifference);
-    // The same by Jacobian and bias that are generated with the columns of the base, in world axes.
+    // The same from the Jacobian and the bias that are generated with base columns, in world axes.
     namespace with_base = quadruped::jacobians::with_base;
     const Eigen::Matrix3d R = s.pose.rotation();
     const Vector6 by_jacobian =
@@ -131,7 +131,7 @@ TEST(World, FramesMoveAsTheirPosesDo) {
   }
 }
 
-// The generated functions against those of the runtime, and biases against the rates of the matrices.
+// Compares the generated functions with those of the runtime, and biases with the rates of the matrices.
 TEST(World, GeneratedFunctionsAreThoseOfTheRuntime) {
   std::mt19937_64 engine(56);
   namespace world = quadruped::world;
@@ -184,7 +184,7 @@ TEST(World, GeneratedFunctionsAreThoseOfTheRuntime) {
   }
 }
 
-// The rate of the momentum in world axes, and of the centre of mass: central differences.
+// Compares the rates of the momentum in world axes and of the centre of mass with central differences.
 TEST(World, CentroidalMomentumChangesByMatrixAndBias) {
   constexpr double kMomentum = 1e-6;  // some tens of N m s, at differences of kStep
   std::mt19937_64 engine(55);
@@ -206,7 +206,7 @@ TEST(World, CentroidalMomentumChangesByMatrixAndBias) {
   }
 }
 
-// By the generated transform of forces, and by the power that the force has.
+// Compares with the generated transform of forces, and with the generalised forces J^T f.
 TEST(World, WrenchOnLinkIsTheForceAtThePoint) {
   std::mt19937_64 engine(53);
   for (int i = 0; i < kStates; ++i) {

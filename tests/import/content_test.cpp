@@ -1,4 +1,4 @@
-// The import of a URDF, compared with numbers computed by hand.
+// The import of URDFs, compared with numbers computed by hand.
 #include <clocale>
 #include <cmath>
 #include <limits>
@@ -37,7 +37,7 @@ std::string robot(const std::string& body) {
 
 constexpr const char* kAboutZ = R"(<axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)";
 
-// base, and an arm that turns about z, with what is given beside.
+// A base and an arm that turns about z; `more` and `inner` are added to the robot and to the joint.
 std::string arm(const std::string& inertial, const std::string& more = "", const std::string& inner = kAboutZ) {
   return robot(link("base", "") + link("arm", inertial) + joint("hinge", "revolute", "base", "arm", inner) + more);
 }
@@ -57,7 +57,7 @@ const model::UserFrame& frame(const KinematicTree& tree, const std::string& name
   return tree.user_frames.front();
 }
 
-// As a document would spell them.
+// Spells quantities as a document would.
 std::string text(const Quantity& q) {
   return model::print(q, {});
 }
@@ -77,8 +77,8 @@ std::string products(const model::Inertia& i) {
 // --- faults that tools of this kind have had ---------------------------------------------------------------------
 
 TEST(HistoricalFaults, FixedJointIsLumpedInTheFrameOfTheLinkThatCarriesIt) {
-  // The tool is a point of 2 kg at (0, 0, 1) of its frame, which stands at (1, 0, 0), turned a quarter about x: the
-  // point is at (1, -1, 0) of the arm. Snapped, so that all is exact.
+  // The tool is a point mass of 2 kg at (0, 0, 1) in its frame. The frame is at (1, 0, 0), turned by a quarter turn
+  // about x, so the mass is at (1, -1, 0) in the arm. Angles are snapped, so that all numbers are exact.
   const std::string tool =
       link("tool", inertial("<origin xyz=\"0 0 1\"/>", "2", R"(ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="3")")) +
       joint("mount", "fixed", "arm", "tool", R"(<origin xyz="1 0 0" rpy="1.5707963267948966 0 0"/>)");
@@ -86,7 +86,8 @@ TEST(HistoricalFaults, FixedJointIsLumpedInTheFrameOfTheLinkThatCarriesIt) {
   const model::Inertia& i = inertia_of(tree, "arm");
   EXPECT_EQ(text(i.mass), "2.0");
   EXPECT_EQ(text(i.com), "1.0 -1.0 0.0");
-  // About the point, y and z change places: (1, 3, 2). Then 2 kg * (1, 1, 2) and the product 2 * 1 * -1.
+  // About the centre of mass, y and z change places: (1, 3, 2). Moving it adds 2 kg * (1, 1, 2) and the product 2 * 1 *
+  // -1.
   EXPECT_EQ(moments(i), "3.0 5.0 6.0");
   EXPECT_EQ(products(i), "-2.0 0.0 0.0");
   EXPECT_EQ(text(frame(tree, "tool").placement), "1.0 0.0 0.0, PI/2.0 0.0 0.0");
@@ -110,7 +111,7 @@ TEST(HistoricalFaults, InertialRpyTurnsTheTensor) {
           R"(<origin rpy="0 0 1.5707963267948966"/>)", "1", R"(ixx="1" ixy="0.2" ixz="0" iyy="2" iyz="0" izz="2.5")")),
       {.snap_angles = true});
   EXPECT_EQ(moments(inertia_of(tree, "arm")), "2.0 1.0 2.5");
-  // The tensor's ixy changes its sign in the turn; the model's is the product, of the other sign.
+  // The turn changes the sign of the tensor's ixy; the model has the product of inertia, which has the opposite sign.
   EXPECT_EQ(products(inertia_of(tree, "arm")), "0.2 0.0 0.0");
 }
 
@@ -120,7 +121,7 @@ TEST(HistoricalFaults, InertialRpyCountsAlsoWhenItsAnglesSumToZero) {
           R"(<origin rpy="1.5707963267948966 0 -1.5707963267948966"/>)", "1",
           R"(ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="2.5")")),
       {.snap_angles = true});
-  // R = Rz(-PI/2) Rx(PI/2) takes x to -y, y to z, z to -x.
+  // R = Rz(-PI/2) Rx(PI/2) maps x to -y, y to z, z to -x.
   EXPECT_EQ(moments(inertia_of(tree, "arm")), "2.5 1.0 2.0");
 }
 
@@ -168,7 +169,7 @@ TEST(HistoricalFaults, LocaleWithADecimalCommaChangesNothing) {
   const KinematicTree here = tree_of(document);
   const std::string c = std::setlocale(LC_ALL, nullptr);
   const std::locale cpp = std::locale::global({std::locale(), new Comma});
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where the system has it
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // if the system has this locale
   const KinematicTree there = tree_of(document);
   std::locale::global(cpp);
   std::setlocale(LC_ALL, c.c_str());
@@ -224,7 +225,7 @@ TEST(Urdf, FixedAxisAnglesAreRollThenPitchThenYaw) {
       arm(kUnitInertial, "",
           R"(<origin rpy="1.5707963 1.5707963 0"/><axis xyz="0 0 1"/><limit effort="1" velocity="1"/>)"),
       {.snap_angles = true});
-  // Ry(PI/2) Rx(PI/2): x goes to -z, y to x, z to -y.
+  // Ry(PI/2) Rx(PI/2) maps x to -z, y to x, z to -y.
   const auto R = model::rotation_matrix(tree.joints[0].placement);
   const double wanted[3][3] = {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}};
   for (std::size_t i = 0; i < 3; ++i)
@@ -273,7 +274,7 @@ TEST(Urdf, LimitsAreThoseOfTheDocument) {
       (limits_of("revolute", R"(<limit lower="-1.5" upper="2" effort="3" velocity="0.1"/>)") ==
        model::JointLimits{-1.5, 2, 0.1, 3}));
   EXPECT_TRUE((limits_of("prismatic", "") == model::JointLimits{}));
-  // Of a limit that is there, URDF takes positions that are not for zero.
+  // If a limit is given, its missing positions are zero in URDF.
   EXPECT_TRUE((limits_of("prismatic", R"(<limit upper="2"/>)") == model::JointLimits{0, 2, kNone, kNone}));
   EXPECT_TRUE(
       (limits_of("continuous", R"(<limit lower="-1" upper="1" effort="3" velocity="4"/>)") ==

@@ -1,4 +1,4 @@
-// Joints that follow, compared with the relations that make them follow.
+// Following joints, compared with the relations that determine them.
 #include "import/urdf/linear_relations.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(LinearRelations, RedundantOnesAndThoseWithoutFollowerAreNamed) {
   EXPECT_TRUE(solved.unsolved[2].is_redundant);
 }
 
-// Any positions of the joints that lead, with those that follow put where their sums say: all relations hold.
+// The leading joints get random positions, the followers the positions of their sums; all relations must hold.
 TEST(LinearRelations, SumsOfFollowersImplyTheRelations) {
   constexpr int kJoints = 6;
   constexpr double kRounding = 1e-10;  // of a few sums of small fractions

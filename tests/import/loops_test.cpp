@@ -1,4 +1,4 @@
-// Loops and couplings of URDF+, compared with robot documents and with sums made by hand.
+// Loops and couplings of URDF+, compared with robot documents and with sums computed by hand.
 #include "coupling_sums.h"
 #include "document_tree.h"
 #include "interpreted_robot.h"
@@ -31,7 +31,7 @@ std::string joint(
 
 constexpr const char* kFollows = "independent=\"false\"";
 
-// Its axes are along z of the base, or along y.
+// The axes are along z of the base, or along y.
 std::string four_bar(bool along_y) {
   const std::string axis = along_y ? "<axis xyz=\"0 1 0\"/>" : "<axis xyz=\"0 0 1\"/>";
   const auto at = [&](const std::string& x, const std::string& angle) {
@@ -68,7 +68,7 @@ TEST(UrdfLoops, MoveAsThoseOfADocument) {
   ASSERT_EQ(tree.loops.size(), 1U);
   EXPECT_EQ(tree.loops[0].ends[0].frame, "bar_predecessor");
   EXPECT_EQ(tree.loops[0].type, model::LoopType::hinge);
-  // The rod with its tip: a body, and another one whose axes are turned.
+  // The rod with its tip in the document: one body, and a second one whose axes are turned.
   const auto body = [](const std::string& name, double m, double along, double I) {
     const std::string steiner = std::to_string(I + m * along * along);
     return "link " + name + " { id = 1 inertia_params { mass = " + std::to_string(m) + " CoM = (" +
@@ -86,7 +86,7 @@ TEST(UrdfLoops, MoveAsThoseOfADocument) {
       "r_joint w { ref_frame { translation = (0.5, 0.0, 0.0) rotation = (PITCH, ROLL, 0.0) } } "
       "r_joint c { ref_frame { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, 1.4) } } "
       "couplings { w = 0.0 * a } loops { bar { frames = end ~ pin type = hinge } } independent { a } }";
-  // R = Ry(0.2) Rx(0.3) as Rx Ry Rz.
+  // R = Ry(0.2) Rx(0.3), expressed as Rx Ry Rz.
   const double r = 0.3, p = 0.2;
   const double y = std::asin(std::sin(p) * std::cos(r)), x = std::atan2(std::sin(r), std::cos(p) * std::cos(r));
   const double z = std::atan2(-std::sin(p) * std::sin(r), std::cos(p));
@@ -101,11 +101,12 @@ TEST(UrdfLoops, MoveAsThoseOfADocument) {
   EXPECT_NEAR(acceleration(tree, gravity), expected, kSame * (1 + std::abs(expected)));
 }
 
-// Turned by a quarter about x: (x, y, z) becomes (x, z, -y).
+// A quarter turn about x maps (x, y, z) to (x, z, -y).
 TEST(UrdfLoops, TurnAboutTheirAxis) {
   const double expected = acceleration(test::tree_of(four_bar(false)), {0.3, -9.7, 0.5});
   std::string turned = four_bar(true);
-  // The tip is turned about other axes there, and its inertia is a ball's, so only its centre of mass would differ.
+  // In the turned loop the tip is turned about other axes. Its inertia is that of a ball, so only its centre of mass
+  // would differ; both tips are therefore made straight.
   std::string plain = four_bar(false);
   for (std::string* text : {&turned, &plain}) text->replace(text->find("rpy=\"0.3 0.2 0\""), 15, "rpy=\"0 0 0\"");
   const double straight = acceleration(test::tree_of(plain), {0.3, -9.7, 0.5});
@@ -116,7 +117,7 @@ TEST(UrdfLoops, TurnAboutTheirAxis) {
 
 const std::string kAxis = "<axis xyz=\"0 0 1\"/>";
 
-// An arm of two joints, and two rotors on the base.
+// An arm with two joints, and two rotors on the base.
 std::string geared(const std::string& of_arm, const std::string& of_rotors, const std::string& couplings) {
   return "<robot name=\"geared\">" + link("base", 1) + link("upper", 1) + link("lower", 1) + link("first", 1) +
          link("second", 1) + joint("a", "base", "upper", kAxis, of_arm) + joint("b", "upper", "lower", kAxis, of_arm) +
@@ -140,7 +141,7 @@ TEST(UrdfCouplings, AreSolvedTogether) {
   EXPECT_EQ(test::sums(test::tree_of(geared(kFollows, "", kGears))), "a = 10.0 n; b = 1.0/6.0 m -10.0 n; ");
 }
 
-// Both say how far a and b turn together; at once, or when a and b are known.
+// Both couplings say how far a and b turn together: directly, or once a and b are known.
 TEST(UrdfCouplings, AreRefusedWhereTheyTieJointsThatLead) {
   const std::string third = joint("k", "base", "third", kAxis) + link("third", 1);
   for (const std::string& couplings :

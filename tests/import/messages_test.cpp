@@ -1,8 +1,7 @@
-// Every message of the import of URDFs, as a user sees it: bad/<name>.urdf must yield exactly bad/<name>.expected.
-// Words in the name ask for options: `-snap`, `-free-mimic`, `-floating-base`.
+// Every message of the URDF import, as a user sees it: bad/<name>.urdf must produce exactly bad/<name>.expected. Words
+// in the name set options: `-snap`, `-free-mimic`, `-floating-base`.
 //
-// With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
-// review.
+// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
 #include "reading.h"
 
 namespace robcogen {
@@ -36,7 +35,7 @@ TEST_P(Messages, AreAsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), {".urdf"})), test::test_name);
 
-// Codes are the string literals in kebab case, and whatever is given literally to error(), warning() or note().
+// Codes are the string literals in kebab case and all literals passed to error(), warning() or note().
 TEST(Messages, OfEveryCodeHaveADocument) {
   const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([^"]+)")re");
   std::set<std::string> codes;
@@ -47,7 +46,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
       codes.merge(test::matches(text, reported));
     }
   }
-  codes.erase("urdf-unavailable");  // of a generator without urdfdom
+  codes.erase("urdf-unavailable");  // only from a generator without urdfdom
   test::expect_documents(codes, folder());
 }
 

@@ -1,4 +1,5 @@
-// What MJCF says in several ways is one robot. (MuJoCo judges the numbers: tests/oracles/mjcf_test.cpp.)
+// Different MJCF spellings of one robot give the same model. (tests/oracles/mjcf_test.cpp compares the numbers with
+// MuJoCo.)
 #include <gtest/gtest.h>
 
 #include "export/kinematics.h"
@@ -21,7 +22,7 @@ std::string robot_document(const std::string& text) {
 
 const char* const kInertial = "<inertial pos='0 0 0.1' mass='1' diaginertia='1 1 1'/>";
 
-// A body `arm` with these attributes and this content, on a hinge.
+// A body `arm` with these attributes and this content, on a hinge joint.
 std::string arm(const std::string& attributes, const std::string& content, const std::string& before = "") {
   return "<mujoco model='m'>" + before + "<worldbody><body name='arm' " + attributes + "><joint name='j'/>" +
          kInertial + content + "</body></worldbody></mujoco>";

@@ -1,8 +1,7 @@
-// Every message of the import of MJCF, as a user sees it: mjcf_bad/<name>.xml must yield exactly
-// mjcf_bad/<name>.expected. `-free-mimic` in the name asks for that option.
+// Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly
+// mjcf_bad/<name>.expected. `-free-mimic` in the name sets that option.
 //
-// With ROBCOGEN_ACCEPT_MESSAGES in the environment, the present messages are written to those files instead, for
-// review.
+// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
 #include "import/mjcf.h"
 #include "reading.h"
 
@@ -15,7 +14,7 @@ path folder() {
   return path(TEST_SOURCE_DIR) / "mjcf_bad";
 }
 
-// Of the messages, names of included files as if they were read in the folder.
+// Returns the messages with the names of included files relative to the folder.
 std::string without_folder(std::string text) {
   const std::string prefix = folder().lexically_normal().string() + "/";
   for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
@@ -42,7 +41,7 @@ TEST(MjcfMessages, OfEveryCodeHaveADocument) {
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));
-  codes.erase("mjcf-unavailable");  // of a generator without urdfdom
+  codes.erase("mjcf-unavailable");  // only from a generator without urdfdom
   test::expect_documents(codes, folder());
 }
 

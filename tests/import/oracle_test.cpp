@@ -1,6 +1,6 @@
-// The imported robot compared with urdfdom on the same text: poses of all links, inertia matrix and gravity forces
-// by sums over the links, in dense matrices of doubles. Nothing of tool/import, and no algorithm of tool/algorithm, is
-// on the side of the oracle.
+// The imported robot compared with urdfdom on the same text: poses of all links, inertia matrix and gravity forces as
+// sums over the links, in dense matrices of doubles. The oracle uses nothing of tool/import and no algorithm of
+// tool/algorithm.
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Rounding of some dozens of products along a chain, relative to the largest element.
+// Rounding errors of dozens of products along a chain, relative to the largest element.
 constexpr double kRounding = 1e-12;
 
 // --- the oracle --------------------------------------------------------------------------------------------------
@@ -38,13 +38,13 @@ Isometry3d pose(const urdf::Pose& p) {
 struct Dense {
   std::map<std::string, Isometry3d> poses;  // of all links, in the frame of the base
   MatrixXd H;                               // (6 + n) or n rows; base first, angular part first
-  VectorXd G;                               // the forces that hold the robot against gravity
+  VectorXd G;                               // the joint forces that hold the robot against gravity
   double weight_times_reach = 0.0;          // an upper bound of G
 };
 
 class Oracle {
  public:
-  // `q` by names of joints; the order of `joints` is that of the columns.
+  // `q` is given by joint name; `joints` is in the order of the columns.
   Oracle(
       const urdf::ModelInterface& robot,
       const std::string& base,
@@ -65,7 +65,7 @@ class Oracle {
   Dense result() const { return result_; }
 
  private:
-  // J: velocity of the link, angular and linear at the origin of the base, in base axes.
+  // J maps to the velocity of the link at the origin of the base, angular first, in base axes.
   void visit(const urdf::Link& link, const Isometry3d& X, const MatrixXd& J) {
     result_.poses[link.name] = X;
     if (link.inertial && J.cols() > 0) add(*link.inertial, X, J);
@@ -200,7 +200,7 @@ std::string plain(const std::string& name) {
   return result;
 }
 
-// urdfdom insists on limits, which mean nothing here.
+// urdfdom requires limits, which have no meaning here.
 std::string with_limits(std::string text) {
   const std::string limit = R"(<limit effort="1" velocity="1"/>)", end = "</joint>";
   for (std::size_t at = 0; (at = text.find(end, at)) != std::string::npos; at += limit.size() + end.size())
@@ -258,7 +258,7 @@ TEST(Oracle, AgreesOnRandomRobots) {
   EXPECT_GT(joints, 300);
 }
 
-// Snapped angles are the multiples of PI/12 that were meant.
+// Snapped angles are the intended multiples of PI/12.
 TEST(Oracle, AgreesOnSnappedAngles) {
   for (std::uint64_t seed = 1; seed <= kSeeds && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
@@ -269,7 +269,7 @@ TEST(Oracle, AgreesOnSnappedAngles) {
   }
 }
 
-// The effect of snapping is as large as the changes of the angles: some dozens of them in a row.
+// Snapping has an effect as large as the sum of the angle changes, of which there are dozens along a chain.
 TEST(Oracle, SnappingChangesNoMoreThanItSays) {
   constexpr double kSumOfSnaps = 60 * 1e-6;
   for (std::uint64_t seed = 1; seed <= 50 && !HasFailure(); ++seed) {
@@ -292,7 +292,7 @@ TEST_P(Models, AgreeWithTheOracle) {
     ASSERT_TRUE(as_is.tree) << as_is.diagnostics.render();
     expect_agreement(text, *as_is.tree);
     options.snap_angles = true;
-    constexpr double kSumOfSnaps = 1e-4;  // some dozens of them in a row
+    constexpr double kSumOfSnaps = 1e-4;  // dozens of them along a chain
     expect_agreement(text, test::tree_of(text, options), kSumOfSnaps);
   }
 }

@@ -1,4 +1,4 @@
-// Angles of rotations: exact where they can be, and always those of the same rotation.
+// Angles of rotations are exact if they can be, and always describe the same rotation.
 #include "import/pose.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Pose, KeepsASingleAngleAsItWasGiven) {
   expect_exactly(of_rpy(decimal("0.3"), kZero, kZero), {decimal("0.3"), kZero, kZero});
   expect_exactly(of_rpy(kZero, decimal("2.5"), kZero), {kZero, decimal("2.5"), kZero});
   expect_exactly(of_rpy(kZero, kZero, decimal("-3.1")), {kZero, kZero, decimal("-3.1")});
-  // Beyond the range of atan2 and asin.
+  // This angle is beyond the range of atan2 and asin.
   expect_exactly(of_rpy(kZero, decimal("-7.25"), kZero), {kZero, decimal("-7.25"), kZero});
 }
 
@@ -49,7 +49,7 @@ TEST(Pose, ComposesQuarterTurnsExactly) {
 }
 
 TEST(Pose, AddsAnglesAboutOneAxisExactlyThroughQuarterTurns) {
-  // Ry(PI/2) Rx(0.1) Ry(-PI/2) turns about -z.
+  // Ry(PI/2) Rx(0.1) Ry(-PI/2) is a turn about -z.
   const Rotation r = rotation_about(1, pi(1, 2)) * rotation_about(0, decimal("0.1")) * rotation_about(1, pi(-1, 2)) *
                      rotation_about(2, decimal("0.3"));
   expect_exactly(intrinsic_angles(r), {kZero, kZero, decimal("0.3") - decimal("0.1")});
@@ -62,7 +62,7 @@ TEST(Pose, DoesNotMakeAnAngleAMultipleOfPi) {
   expect_exactly(of_rpy(nearly, kZero, nearly_half), {-nearly, kZero, nearly_half});
   for (const Number& angle : intrinsic_angles(rotation_of_rpy({nearly, nearly, nearly})))
     EXPECT_FALSE(angle.is_pi_multiple() && !angle.is_zero()) << print(angle);
-  // An exact quarter turn beside it stays one.
+  // An exact quarter turn next to an inexact one stays exact.
   const Angles beside = intrinsic_angles(rotation_of_rpy({nearly, kZero, kZero}) * rotation_about(1, pi(1, 2)));
   expect_exactly(beside, {nearly, pi(1, 2), kZero});
 }
@@ -97,7 +97,7 @@ TEST(Pose, TurnsZToTheAxis) {
   expect_exactly(angles(-one, none, none), {none, pi(-1, 2), none});
   expect_exactly(angles(none, one, none), {pi(-1, 2), none, none});
   expect_exactly(angles(none, -one, none), {pi(1, 2), none, none});
-  // Halves between axes, of whatever length; no decimals of 1/sqrt(2) are equal by accident.
+  // Axes halfway between two others, of any length; two decimals near 1/sqrt(2) are not equal by accident.
   expect_exactly(angles(none, decimal("0.7071"), decimal("0.7071")), {pi(-1, 4), none, none});
   expect_exactly(angles(decimal("2"), none, decimal("-2")), {pi(1), pi(1, 4), none});
   expect_exactly(angles(decimal("2"), decimal("2"), none), {pi(-1, 2), pi(1, 4), none});
@@ -111,7 +111,7 @@ Eigen::Matrix3d matrix(const Angles& a) {
   return turn(0, a[0].value()) * turn(1, a[1].value()) * turn(2, a[2].value());
 }
 
-// A few products and sines of doubles.
+// Rounding errors of a few products and sines of doubles.
 constexpr double kRounding = 4e-15;
 
 TEST(Pose, HasTheAnglesOfTheSameRotation) {

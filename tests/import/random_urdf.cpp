@@ -70,7 +70,7 @@ class Writer {
   std::string link(int index, bool has_mass) {
     const std::string begin = "<link name=\"" + name('l', index) + "\">";
     if (!has_mass) return begin + "</link>\n";
-    // Of a solid body: second moments along the principal axes.
+    // The inertia of a solid body, from second moments along its principal axes.
     const double a = between(0.001, 0.1), b = between(0.001, 0.1), c = between(0.001, 0.1);
     const Eigen::Matrix3d R = Eigen::Quaterniond(between(-1, 1), between(-1, 1), between(-1, 1), between(0.1, 1))
                                   .normalized()

@@ -1,4 +1,4 @@
-// Random robots as URDF text: any axes, angles and inertias, fixed joints, links without mass, names that are no
+// Random robots as URDF text: arbitrary axes, angles and inertias, fixed joints, massless links, names that are not
 // identifiers.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace robcogen::test {
 
-// The same text for the same seed. `exact_angles`: all angles are multiples of PI/12, spelled as the nearest doubles;
-// `angle_error` is added to them, with either sign.
+// The same seed gives the same text. `exact_angles`: all angles are multiples of PI/12, spelled as the nearest doubles;
+// `angle_error` is added to them with either sign.
 struct UrdfOptions {
   bool exact_angles = false;
   double angle_error = 0.0;

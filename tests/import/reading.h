@@ -24,7 +24,7 @@ inline Imported imported(const std::string& text, const import::UrdfOptions& opt
   return result;
 }
 
-// A robot that must be read without errors.
+// Reads a robot; expects no errors.
 inline model::KinematicTree tree_of(const std::string& text, const import::UrdfOptions& options = {}) {
   Imported result = imported(text, options);
   EXPECT_TRUE(result.tree) << result.diagnostics.render();

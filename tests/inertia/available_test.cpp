@@ -1,4 +1,4 @@
-// Which functions robots with singular inertia matrices have, and that those compute.
+// The functions that robots with singular inertia matrices have, and their results.
 #include <gtest/gtest.h>
 #include <pointer/pointer.h>
 #include <pointers/batch.h>
@@ -24,12 +24,12 @@ static_assert(!HasJointSpaceInertiaFactor<stylus::Robot>);
 static_assert(HasJointSpaceInertia<satellite::Robot>);
 static_assert(!HasForwardDynamics<satellite::Robot>);
 static_assert(!HasJointSpaceInertiaFactor<satellite::Robot>);
-static_assert(!HasInverseDynamics<satellite::Robot>);  // of a free base
+static_assert(!HasInverseDynamics<satellite::Robot>);  // with a free base
 
 TEST(Availability, KinematicsAloneHasTransformsAndJacobians) {
   const pointer::JointState q(0.3, -0.8);
   const Eigen::Matrix4d X = pointer::transforms::homogeneous::fr_base_X_tip(q);
-  // Two bars in the plane y = 0, from (0, 0, 0.2).
+  // Two bars in the plane y = 0, starting at (0, 0, 0.2).
   EXPECT_NEAR(X(0, 3), 0.4 * std::cos(0.3) + 0.3 * std::cos(-0.5), 1e-15);
   EXPECT_NEAR(X(2, 3), 0.2 + 0.4 * std::sin(0.3) + 0.3 * std::sin(-0.5), 1e-15);
   const auto J = pointer::jacobians::fr_base_J_tip(q);
@@ -40,7 +40,7 @@ TEST(Availability, InverseDynamicsOfAWeightlessTip) {
   const stylus::JointState q(0.3, 0.7), qd(0.5, 2.0), qdd(1.5, -3.0);
   const stylus::JointState tau = stylus::inverse_dynamics(q, qd, qdd);
   EXPECT_EQ(tau[1], 0.0);
-  // A pendulum: moment about the axis, and gravity on (0.2, 0.01) turned by q.
+  // A pendulum: inertia about the axis, and gravity on (0.2, 0.01) rotated by q.
   const double moment = 1.3 * 9.81 * (0.2 * std::cos(0.3) - 0.01 * std::sin(0.3));
   EXPECT_NEAR(tau[0], 0.09 * 1.5 + moment, 1e-14);
   const stylus::InertiaMatrix H = stylus::joint_space_inertia(q);

@@ -1,5 +1,5 @@
-// Documents of other projects: each is read as it stands and survives printing, or is refused for the reason that it
-// has, where it has it.
+// Documents of other projects: each is either read unchanged and survives printing, or is refused for its known reason
+// at the known place.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -41,7 +41,7 @@ class CorpusText : public testing::Test {
   }
 };
 
-// Tells whether the document is refused, which is then for the one reason that it has.
+// Returns true if the document is refused; expects the known reason to be the only one.
 bool is_refused(const path& document, const Diagnostics& diagnostics) {
   const auto refused = kRefused.find(document.filename().string());
   if (refused == kRefused.end()) {
@@ -58,7 +58,7 @@ bool is_refused(const path& document, const Diagnostics& diagnostics) {
   return true;
 }
 
-// The document printed and read again is the same document, and prints the same.
+// Expects that the printed document reads back as the same document and prints the same.
 template <class Document>
 void expect_survives_printing(
     const Document& document,
@@ -125,7 +125,7 @@ TEST_F(CorpusText, OfDesiredTransformsIsReadAndSurvivesPrinting) {
   EXPECT_EQ(refused, 2u);
 }
 
-// The text without its comments, found by a pattern and not by the lexer.
+// The text without its comments, which a pattern finds without the lexer.
 std::string without_comments(const path& file) {
   return std::regex_replace(test::contents(file), std::regex(R"re(/\*([^*]|\*[^/])*\*/|//[^\n]*)re"), " ");
 }

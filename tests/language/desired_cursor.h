@@ -1,4 +1,4 @@
-// A place in a desired-transforms document, to be read by one of its phases.
+// A cursor on the text of a desired-transforms document, for tests of a single phase of its parser.
 #pragma once
 
 #include "language/desired/keywords.h"

@@ -1,4 +1,4 @@
-// Names of frames, alone and of instances of parts.
+// Names of frames, with and without an instance of a part.
 #include "language/desired/parse_frame.h"
 
 #include "desired_cursor.h"

@@ -1,4 +1,4 @@
-// Sections: what they add to the document, and where they end.
+// Sections: what they add to the document and where they end.
 #include "language/desired/parse_section.h"
 
 #include <tuple>
@@ -35,7 +35,7 @@ TEST(DesiredSection, AddsToItsList) {
   }
 }
 
-// An element knows the loop that it stands in, and those before and behind stand in none.
+// An element knows its loop; elements before and after a loop belong to none.
 TEST(DesiredSection, KnowsTheLoopsOfItsElements) {
   DesiredText at("Transforms { A <- B  for s in { x } { A <- s.B }  C <- D  for s in { y } { A <- s.B  s.A <- B } }");
   const Document document = read(at);

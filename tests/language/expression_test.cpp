@@ -1,4 +1,4 @@
-// Every spelling of an expression, as the tree that it stands for.
+// Every spelling of an expression and the tree that it represents.
 #include "language/common/expression.h"
 
 #include "language/common/parse_expression.h"
@@ -68,7 +68,7 @@ Parsed parse(const std::string& text) {
   return result;
 }
 
-// The tree of a whole text without any diagnostic; its print is the same tree, and prints the same.
+// Returns the tree of a text; expects that it prints to text that reads back as the same tree and prints the same.
 std::string read(const std::string& text) {
   const Parsed parsed = parse(text);
   if (!parsed.expression) return "[" + parsed.codes.front() + "]";
@@ -217,7 +217,7 @@ TEST(Expression, GoesOnSoLongAndNoLonger) {
   EXPECT_TRUE(operations(parse("a" + repeated(" + a", 500))));
   EXPECT_EQ(parse("a" + repeated(" + a", 501)).codes, Codes{"expression-too-long"});
   EXPECT_EQ(parse("a" + repeated(" * a", 501)).codes, Codes{"expression-too-long"});
-  // in all of it together, for every operation may be a level of the tree
+  // the limit counts the operations of the whole expression, because each may be a level of the tree
   EXPECT_EQ(
       parse(repeated("(", 100) + "a" + repeated(" + a)", 100) + repeated(" - a", 401)).codes,
       Codes{"expression-too-long"});

@@ -1,4 +1,4 @@
-// Input beyond all measure: it is read or refused, in bounded time and memory.
+// Extreme input is read or refused in bounded time and memory.
 #include <sstream>
 
 #include "reading.h"
@@ -75,7 +75,7 @@ TEST(Extremes, HalfAMillionErrors) {
   EXPECT_LT(diagnostics.render().size(), 100'000u);
 }
 
-// Every byte, alone and everywhere in a document.
+// Every byte, inserted at positions all over a document.
 TEST(Extremes, EveryByte) {
   const std::string robot = robot_with_rotation("0.5 PI");
   for (int byte = 0; byte < 256; ++byte) {
@@ -92,14 +92,14 @@ TEST(Extremes, EveryByte) {
   }
 }
 
-// Every beginning of a document is refused, with few words.
+// Every proper prefix of a document is refused, with few messages.
 TEST(Extremes, EveryBeginning) {
   const std::string robot = robot_with_rotation("-PI/2.0");
   for (std::size_t length = 0; length < robot.size(); ++length) {
     Diagnostics diagnostics;
     language::kinematics::parse(test::source(robot.substr(0, length)), diagnostics);
     EXPECT_TRUE(diagnostics.has_errors()) << robot.substr(0, length);
-    EXPECT_LE(diagnostics.all().size(), 2u) << diagnostics.render();  // that it ends, and half a word before
+    EXPECT_LE(diagnostics.all().size(), 2u) << diagnostics.render();  // the end, and a truncated word before it
   }
   const std::string list = "Robot R Frames { a, b } Transforms { base=a, target=b a <- b }";
   for (std::size_t length = 0; length < list.size(); ++length) {
@@ -110,7 +110,7 @@ TEST(Extremes, EveryBeginning) {
   }
 }
 
-// A second of reading, optimised; work that grew with the square of the links would not end.
+// An optimised build reads this in a second; quadratic work would not end.
 TEST(Extremes, AHundredThousandLinks) {
   constexpr int links = 100'000;
   std::ostringstream text;

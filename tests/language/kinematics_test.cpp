@@ -1,4 +1,4 @@
-// The Kinematics-DSL: every part of it in every spelling, its canonical text, and the comparison of documents.
+// The Kinematics-DSL: every construct in every spelling, its canonical text, and the comparison of documents.
 #include "language/kinematics/document.h"
 
 #include "reading.h"
@@ -123,7 +123,7 @@ TEST(Kinematics, TakesASectionOfNoFrames) {
   EXPECT_TRUE(d.links[0].frames.empty());
   ASSERT_EQ(d.links[1].frames.size(), 1u);
   EXPECT_EQ(d.links[1].frames[0].name.text, "f");
-  EXPECT_EQ(print(d).find("frames"), print(d).rfind("frames"));  // those of the link alone
+  EXPECT_EQ(print(d).find("frames"), print(d).rfind("frames"));  // only those of the link
   EXPECT_TRUE(equal(read_robot(print(d)), d));
 }
 
@@ -187,7 +187,7 @@ TEST(Kinematics, KeepsComments) {
   using Texts = std::vector<std::string>;
   EXPECT_EQ(d.comments, Texts{"// A leg."});
   EXPECT_EQ(d.links[0].comments, Texts{"/* holds it */"});
-  EXPECT_EQ(d.links[1].comments, Texts{"// a hint"});  // those inside an element stay with it
+  EXPECT_EQ(d.links[1].comments, Texts{"// a hint"});  // comments inside an element stay with it
   EXPECT_EQ(d.links[2].comments, Texts{});
   EXPECT_EQ(d.trailing_comments, (Texts{"// the end", "// of the file"}));
 }
@@ -210,7 +210,7 @@ TEST(Kinematics, ReadsElementsInAnyOrder) {
       " RobotBase base { frames { f { translation = (0, 0, 0) rotation = (0, 0, 0) } } children { b via j } }"
       " link c { id = 2 children {} } }");
   ASSERT_EQ(d.links.size(), 3u);
-  EXPECT_EQ(d.links[0].name.text, "base");  // first, the others as declared
+  EXPECT_EQ(d.links[0].name.text, "base");  // the base comes first, the others as declared
   EXPECT_EQ(d.links[1].name.text, "b");
   EXPECT_EQ(d.links[2].name.text, "c");
   EXPECT_EQ(d.joints[0].id, 3);
@@ -295,7 +295,7 @@ TEST(Kinematics, TellsDocumentsApart) {
   EXPECT_FALSE(equal(without_comments(leg), leg));
 }
 
-// Faults of several kinds in one file: each is told once, nothing else is.
+// One file with errors of several kinds: each is reported once, and nothing else.
 TEST(Kinematics, TellsAllErrorsOfAFileAndNoOthers) {
   std::string text = kLeg;
   const auto change = [&](const std::string& from, const std::string& to) {

@@ -9,7 +9,7 @@ using std::string_literals::operator""s;
 using test::Codes;
 
 struct Lexed {
-  std::string tokens;  // separated by '|'; an escaped name with its '^'
+  std::string tokens;  // separated by '|'; an escaped name keeps its '^'
   std::vector<std::string> comments;
   Codes codes;
   bool cut = false;
@@ -53,7 +53,7 @@ TEST(Lexer, RefusesWhatLooksLikeANumber) {
        {"0x1F", "0X1p3", "0b101", "1.2.3", "1..2", "1_000", "1.5_", "1e", "2.0E+", "1e-", "1e5e2", "1d0", "2.5D3",
         "1.0f", "1_000e+5", "0x1E+2"}) {
     EXPECT_EQ(lex(text).codes, Codes{"bad-number"}) << text;
-    EXPECT_EQ(lex(text).tokens, text);  // still one number for the parser
+    EXPECT_EQ(lex(text).tokens, text);  // the parser still gets one number
   }
   EXPECT_EQ(lex("1e999").codes, Codes{"number-too-large"});
   EXPECT_EQ(lex("1e-999").codes, Codes{});

@@ -1,5 +1,5 @@
-// Every message of the parsers, as a user sees it: bad/<name>.kindsl, .dtdsl, .motdsl or .ctdsl must yield exactly
-// bad/<name>.expected (nothing for a document that is fine). not-original.kindsl is read as `print --original` does.
+// Every message of the parsers, as a user sees it: bad/<name>.kindsl, .dtdsl, .motdsl or .ctdsl must produce exactly
+// bad/<name>.expected (nothing if the document is correct). not-original.kindsl is read as by `print --original`.
 #include "language/kinematics/original.h"
 #include "reading.h"
 
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
       return test::test_name({document.param.stem().string(), document.index});
     });
 
-// A code is the first literal that is given to error(), error_at() or warning_at(); a span may stand before it.
+// A code is the first literal passed to error(), error_at() or warning_at(), possibly after a span.
 TEST(Messages, OfEveryCodeHaveADocument) {
   const std::regex reported(R"re((?:error|error_at|warning_at)\(\s*(?:[^";]*,\s*)?"([a-z0-9]+(?:-[a-z0-9]+)*)",)re");
   std::set<std::string> codes;
@@ -59,7 +59,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
     EXPECT_TRUE(codes.contains(code)) << "[" << code << "] was not found in the sources";
 }
 
-// Every file of messages belongs to a document: a stray file would not be checked.
+// Every file of messages belongs to a document; a stray file would never be checked.
 TEST(Messages, BelongToADocument) {
   for (const path& expected : test::files(folder(), {".expected"})) {
     int documents = 0;

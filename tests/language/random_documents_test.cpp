@@ -17,7 +17,7 @@
 
 namespace robcogen::language {
 
-// How RapidCheck shows a failing case: it looks for functions of this name.
+// RapidCheck prints a failing case through functions with this name.
 // NOLINTBEGIN(readability-identifier-naming)
 namespace kinematics {
 void showValue(const Document& document, std::ostream& stream) {
@@ -45,9 +45,9 @@ namespace {
 
 using Kind = Expression::Kind;
 
-// Documents are made by plain functions of what these draw: compilers take long for each type of generator.
+// Plain functions build documents from these draws, because each type of generator takes long to compile.
 
-// A random number below `count`, which shrinks to 0.
+// A random number below `count` that shrinks to 0.
 std::size_t below(std::size_t count) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, count));
 }
@@ -61,7 +61,7 @@ T one_of(const std::vector<T>& choices) {
   return choices[below(choices.size())];
 }
 
-// Up to that many of what `draw` gives, fewer in the first documents.
+// Returns at most `count` results of `draw`, fewer in the first documents.
 template <class Draw>
 auto up_to(std::size_t count, const Draw& draw) {
   std::vector<decltype(draw())> result;
@@ -74,7 +74,7 @@ auto maybe(const Draw& draw) {
   return flipped() ? std::optional(draw()) : std::nullopt;
 }
 
-// Up to that many of these characters.
+// Returns at most `count` of these characters.
 std::string text_of(const std::string& characters, std::size_t count) {
   const std::vector<char> text = up_to(count, [&] { return characters[below(characters.size())]; });
   return {text.begin(), text.end()};
@@ -88,7 +88,7 @@ std::string name_text(const std::vector<std::string>& keywords) {
   return one_of<std::string>({"a", "Z", "_", "q", "n0", "n7"}) + text_of("aZ_q07", 20);
 }
 
-// A number as a literal of a document gives it; never negative zero, nor infinite.
+// A number as a document's literal gives it: never negative zero or infinite.
 Number literal(double value) {
   return Number::parse(print_double(std::isfinite(value) ? value : 1.0)).value_or(Number());
 }
@@ -103,7 +103,7 @@ ExpressionPtr made(Expression e) {
   return std::make_shared<const Expression>(std::move(e));
 }
 
-// A number four times in nine, PI and a name twice, a constant once.
+// Four times in nine a number, twice PI, twice a name, once a constant.
 ExpressionPtr leaf() {
   Expression e;
   const std::size_t kind = below(9);
@@ -128,7 +128,7 @@ ExpressionPtr leaf() {
   return made(e);
 }
 
-// The sign of a number is part of it: no tree of the parser negates one.
+// The sign of a number belongs to the number: the parser's trees do not negate one.
 ExpressionPtr operation(Kind kind, const ExpressionPtr& left, const ExpressionPtr& right) {
   Expression e;
   e.kind = kind;
@@ -173,7 +173,7 @@ std::vector<std::string> comments() {
   return up_to(4, comment);
 }
 
-// A value that may be left out.
+// An expression, or none.
 ExpressionPtr maybe_expression() {
   return flipped() ? expression(2) : nullptr;
 }
@@ -278,7 +278,7 @@ kinematics::Joint joint() {
   one.assembled = maybe_expression();
   const auto words = kinematics::coordinate_words(joint.type);
   if (words.empty()) static_cast<kinematics::DriveAndLimits&>(joint) = one;
-  // Of all coordinates, or of all but the first.
+  // All coordinates, or all but the first.
   for (std::size_t k = below(2); k < words.size(); ++k) joint.coordinates.push_back({one, {std::string(words[k]), {}}});
   return joint;
 }
@@ -290,7 +290,7 @@ kinematics::Coupling coupling() {
   return coupling;
 }
 
-// With a type, or a distance; of either branch, or without a word.
+// A loop with a type or a distance, and either branch or none.
 kinematics::LoopJoint loop_joint() {
   kinematics::LoopJoint loop;
   loop.name = robot_name();
@@ -356,7 +356,8 @@ desired::Document list() {
   return document;
 }
 
-// Constructs of documents about frames only: parameters by group, and those that their use declares.
+// Turns names into constructs that only documents about frames have: parameters in a group, and parameters declared by
+// their use.
 ExpressionPtr qualified(const ExpressionPtr& from, const std::vector<std::string>& keywords, std::size_t how) {
   if (!from) return from;
   Expression e = *from;
@@ -402,7 +403,7 @@ FramesHeader header(const std::vector<std::string>& keywords) {
   return header;
 }
 
-// Of a motion or a transform, all but what its frames are called.
+// A motion or a transform, except the names of its frames.
 template <class Entry>
 Entry entry(std::vector<AxisStep> Entry::*its_steps, const std::vector<std::string>& keywords) {
   Entry entry;
@@ -476,7 +477,7 @@ TEST(RandomDocuments, OfTransformsSurvivePrinting) {
   EXPECT_TRUE(rc::check([] { survives_printing(transforms_document, &transforms::parse); }));
 }
 
-// The documents are worth the name: all that the syntax has does occur.
+// Checks that the random documents contain every construct of the syntax.
 TEST(RandomDocuments, HaveEveryPartOfTheLanguage) {
   std::set<Kind> kinds;
   int references = 0, massless = 0, floating = 0, defaults = 0, escaped = 0, drives = 0;

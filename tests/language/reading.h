@@ -1,4 +1,4 @@
-// Documents from texts and files, and their messages.
+// Reads documents from texts and files, with their messages.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ inline std::vector<std::string> codes(const Diagnostics& diagnostics) {
   return result;
 }
 
-// A document that must be fine.
+// Reads a document; expects no messages.
 inline language::kinematics::Document read_robot(const std::string& text) {
   Diagnostics diagnostics;
   language::kinematics::Document document = language::kinematics::parse(source(text), diagnostics);

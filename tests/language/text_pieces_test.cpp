@@ -1,4 +1,4 @@
-// Where pieces of a text end. Each text has a bar where the piece that begins it ends.
+// Where pieces of a text end. In each text, a bar marks the end of the piece at its beginning.
 #include "language/common/text_pieces.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace robcogen::language {
 namespace {
 
-// The text without its bar, and where that was: npos where there is none.
+// The text without its bar, and the bar's position: npos if there is none.
 struct Marked {
   explicit Marked(std::string marked) : text(std::move(marked)), bar(text.find('|')) {
     if (bar != std::string::npos) text.erase(bar, 1);

@@ -1,6 +1,6 @@
-# The symbols that units of kernels for one processor share with others: OBJECTS (file,file…), NM.
+# Checks the symbols that units of kernels for one processor share with others. Variables: OBJECTS (file,file…), NM.
 string(REPLACE "," ";" objects "${OBJECTS}")
-# What compilers add: data, or the same on all processors.
+# Symbols that compilers add: data, or functions that are the same on all processors.
 set(shared "__clang_call_terminate|DW[.]ref[.]|__asan_|__odr_asan|__llvm_|__gcov_| V typeinfo")
 list(FILTER objects INCLUDE REGEX "/kernels_(avx2|avx512)[.]cpp[.]o")
 if(NOT objects)

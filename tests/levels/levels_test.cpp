@@ -13,7 +13,7 @@ namespace {
 using robcogen::Level;
 using State = puma560::JointState;
 
-// Results of levels differ by rounding: some bits of numbers below 100, never more.
+// Results of different levels differ by rounding only: by some bits of numbers below 100.
 constexpr double kOtherRounding = 1e-12;
 
 State angles(double first) {
@@ -29,12 +29,12 @@ State forces(double first) {
 // Constructed before main.
 const State before_main = forces(0.3);
 
-// Whether the library has kernels for this machine above its baseline.
+// True if the library has kernels above its baseline for this machine.
 bool chooses() {
   return robcogen::best_level() != Level::baseline;
 }
 
-// A function of many states, at this level: a column each.
+// The results of a function in many states, at this level: a column per state.
 template <class Function>
 Eigen::MatrixXd of_level(Level level, Function function) {
   puma560::reflection::use_level(level);
@@ -48,7 +48,7 @@ template <class Function>
 void expect_another_rounding(Function function) {
   const Eigen::MatrixXd baseline = of_level(Level::baseline, function), avx2 = of_level(Level::avx2, function);
   EXPECT_LT((baseline - avx2).lpNorm<Eigen::Infinity>(), kOtherRounding);
-  // Fused products are rounded once: among hundreds of numbers some differ.
+  // Fused products are rounded only once, so among hundreds of numbers some differ.
   EXPECT_EQ(baseline != avx2, chooses());
 }
 
@@ -66,7 +66,7 @@ TEST(Levels, AreThoseOfTransformsAndJacobians) {
   expect_another_rounding([](double first) { return puma560::jacobians::fr_base_J_fr_ee(angles(first)); });
 }
 
-// A level stays in use until another one is chosen, in all functions of the robot and in no other robot's.
+// A level stays in use until another one is chosen, for all functions of that robot and for no other robot.
 TEST(Levels, BelongToOneRobot) {
   const auto inertia = [] {
     return quadruped_fixed::joint_space_inertia(quadruped_fixed::JointState::Constant(0.6)).eval();
@@ -89,7 +89,7 @@ TEST(Levels, HoldForSinglePrecision) {
   EXPECT_LT((puma560::f32::inverse_dynamics(q, ones, ones) - low).lpNorm<Eigen::Infinity>(), 1e-3F);
 }
 
-// Its initialisation runs when the library is loaded. Its kernels are its own.
+// The library's initialisation runs when it is loaded, and it has kernels of its own.
 TEST(Levels, AreChosenInASharedLibrary) {
   void* library = dlopen(SHARED_LIBRARY, RTLD_NOW | RTLD_LOCAL);
   ASSERT_NE(library, nullptr) << dlerror();

@@ -1,4 +1,4 @@
-// A robot's library within a shared one.
+// A robot's library within a shared library.
 #include <puma560/puma560.h>
 
 extern "C" void puma560_joint_forces(const double* q, double* tau) {

@@ -1,4 +1,4 @@
-// Robot descriptions from the field: each builds, or is refused for the reason that it has.
+// Robot descriptions of other projects: each builds, or is refused for its known reason.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -25,11 +25,11 @@ std::vector<path> documents(const std::string& extension) {
   return result;
 }
 
-// The documents that are malformed or in another dialect, and the code of the message.
+// Documents that are malformed or in another dialect, with the code of their message.
 const std::map<std::string, std::string> kRefused = {
     {"ESROCOS_kin-gen__tests_models_malformed_cmm-disconnected", "island"},
-    {"ESROCOS_kin-gen__tests_models_malformed_cmm-typo", ""},      // a matter of syntax: the code is the parser's
-    {"mfrigerio17_dsl-kinematics__models_two_links", ""},          // of 2012, likewise
+    {"ESROCOS_kin-gen__tests_models_malformed_cmm-typo", ""},      // a syntax error: the code is the parser's
+    {"mfrigerio17_dsl-kinematics__models_two_links", ""},          // dialect of 2012, likewise
     {"ESROCOS_kin-gen__tests_coverage_sample_fk1_model_ur5", ""},  // a list of queries
     {"idra-lab_quadruped_robcogen__config_robot", ""},             // a list with placeholders
 };
@@ -83,7 +83,7 @@ TEST_F(Corpus, RefusesWhatIsMalformedForItsReason) {
   }
 }
 
-// Counted in the text, without any parser.
+// The elements are counted in the text, without a parser.
 TEST_F(Corpus, HasAsManyElementsAsTheTextDeclares) {
   const auto count = [](const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
@@ -127,8 +127,8 @@ TEST_F(Corpus, HasTheKnownRobots) {
   }
 }
 
-// A link of this document has an id that is too large: there is a hole, and its child has a smaller one. Both are worth
-// a warning and no more.
+// The id of a link in this document is too large. This leaves a gap, and the link's child has a smaller id. Both get a
+// warning, nothing more.
 TEST_F(Corpus, WarnsOfAWrongId) {
   Diagnostics diagnostics;
   const path document = path(ROBCOGEN_CORPUS_DIR) / "ESROCOS_kin-gen__tests_models_malformed_cmm-numbering.kindsl";
@@ -139,7 +139,7 @@ TEST_F(Corpus, WarnsOfAWrongId) {
 }
 
 TEST_F(Corpus, MovesMassPropertiesAsTheTextbookDoes) {
-  constexpr double kTolerance = 1e-13;  // some ten roundings, relative to the largest element
+  constexpr double kTolerance = 1e-13;  // about ten roundings, relative to the largest element
   int moved = 0;
   for (const auto& [name, tree] : robots()) {
     std::vector<double> parameters;
@@ -181,7 +181,7 @@ TEST_F(Corpus, MovesMassPropertiesAsTheTextbookDoes) {
   EXPECT_GT(moved, 10) << "hardly any document uses ref_frame: the check is empty";
 }
 
-// Every list, read for every robot of its name: a pair is found when the robot has its frames.
+// Every list is read for every robot with its name; a pair is resolved if the robot has both frames.
 TEST_F(Corpus, ResolvesItsDesiredTransforms) {
   int resolved = 0;
   const auto resolve = [&](const path& list, const KinematicTree& tree) {

@@ -14,7 +14,7 @@ using model::Parameter;
 using model::ParameterKind;
 using model::Quantity;
 
-// A robot of one joint, with these places to fill.
+// A robot with one joint and these expressions.
 std::string arm(const std::string& mass, const std::string& translation, const std::string& rotation) {
   return "Robot Arm { RobotBase base { children { upper via shoulder } }\n"
          "link upper { id = 1 inertia_params { mass = " +
@@ -70,7 +70,7 @@ TEST(Documents, MakeOneParameterOfOneName) {
   Diagnostics diagnostics;
   const auto tree = test::tree_of(arm("2.0*x[0.5]", "(x, 0.0, 0.0)", "(x, 0.0, m)"), diagnostics);
   ASSERT_TRUE(tree.has_value());
-  EXPECT_EQ(diagnostics.all().size(), 1u);  // length and angle
+  EXPECT_EQ(diagnostics.all().size(), 1u);  // the parameter is used as a length and as an angle
   ASSERT_EQ(tree->parameters.size(), 2u);
   const Parameter& x = tree->parameters[0];
   EXPECT_EQ(x.kind, ParameterKind::length);
@@ -83,7 +83,7 @@ TEST(Documents, MakeOneParameterOfOneName) {
   EXPECT_EQ(evaluate(tree->joints[0].placement.rotation[0], values), 10.0);
 }
 
-// Mass properties are read first, or last: that decides nothing.
+// It does not matter whether mass properties are read before or after the placement.
 TEST(Documents, TakeTheUnitOfAParameterFromItsPlacement) {
   const KinematicTree tree = read(
       "Robot Arm { RobotBase base { children { upper via shoulder } }\n"
@@ -123,7 +123,7 @@ TEST(Documents, GiveAReferenceFrameThatDependsOnAParameter) {
   EXPECT_DOUBLE_EQ(evaluate(body.ixx, values), 0.1);
 }
 
-// A printed quantity is an expression of the language again, of the same value.
+// A printed quantity reads back as an expression with the same value.
 TEST(Documents, ReadPrintedQuantities) {
   constexpr std::uint64_t kSeed = 1999;
   std::mt19937_64 engine(kSeed);
@@ -235,7 +235,7 @@ TEST(Documents, ListTheSameWithLoopsAndWithout) {
   const std::vector<std::string> pairs = pairs_of(plain, tree);
   EXPECT_EQ(pairs.size(), 9u);
   EXPECT_EQ(pairs_of(loops, tree), pairs);
-  tree.limbs.clear();  // as of a robot without parts
+  tree.limbs.clear();  // as in a robot without parts
   EXPECT_EQ(pairs_of(loops, tree), pairs);
 }
 

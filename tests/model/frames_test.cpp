@@ -1,5 +1,5 @@
-// Documents of motions and of coordinate transforms: their meaning, and that the model written as a document has the
-// same.
+// Documents of motions and of coordinate transforms: their meaning, which stays the same if the model is written as a
+// document and read back.
 #include "import/frames.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using model::MotionConvention;
 using model::MovedFramePosition;
 using model::RigidMotions;
 
-// Products of a dozen rotations and shifts by a few metres.
+// Products of about a dozen rotations and shifts of a few metres.
 constexpr double kTolerance = 1e-13;
 
 RigidMotions motions_of(const std::string& text) {
@@ -57,7 +57,7 @@ Eigen::Isometry3d value(
   return result;
 }
 
-// All sequences of three axes in which neighbours differ: six about three axes, six about two.
+// All sequences of three axes in which neighbours differ: six with three different axes, six with two.
 std::vector<std::string> sequences() {
   std::vector<std::string> result;
   for (const char a : {'x', 'y', 'z'})
@@ -78,7 +78,7 @@ std::string document_of_sequences(const std::string& convention) {
   return text;
 }
 
-// Turning about the moved axes multiplies on the right, turning about the axes that stay multiplies on the left.
+// Turns about moved axes multiply on the right, turns about fixed axes on the left.
 TEST(EulerSequences, AreRotationsAboutMovedOrFixedAxes) {
   ASSERT_EQ(sequences().size(), 12u);
   const std::vector<double> angles = {0.7, -1.1, 2.3};
@@ -136,7 +136,8 @@ TEST(FrameDocuments, APiThatIsDeclaredIsAParameter) {
   EXPECT_TRUE(motions.motions[0].steps[1].amount.number().is_pi_multiple());
 }
 
-// The model as a document, read again: the same frames, and equal transforms between all of them.
+// Writes the model as a document and reads it back: the frames are the same, and the transforms between all of them are
+// equal.
 void expect_same_motions(const RigidMotions& motions) {
   const std::string text = language::motion::print(exporting::motion_document(motions));
   const RigidMotions again = motions_of(text);
@@ -146,7 +147,7 @@ void expect_same_motions(const RigidMotions& motions) {
   constexpr std::uint64_t kSeed = 91;
   std::mt19937_64 engine(kSeed);
   std::uniform_real_distribution<double> any(-2, 2);
-  // Values by name: the order of parameters and variables is that of their first use.
+  // Values are given by name, because the order of parameters and variables is that of their first use.
   std::map<std::string, double> parameter_values, variable_values;
   for (const auto& p : motions.parameters) parameter_values[p.name] = any(engine);
   for (const auto& v : motions.variables) variable_values[v] = any(engine);
@@ -221,7 +222,7 @@ TEST(FrameDocuments, OfOtherProjectsAreReadWithoutAWord) {
   }
 }
 
-// A robot's motions, as a document, are the robot's motions.
+// The motions of a robot, written as a document, stay the same.
 TEST(FrameDocuments, OfRobotsAreTheirMotions) {
   const auto document = std::filesystem::path(ROBCOGEN_SOURCE_DIR) / "robots" / "humanoid" / "humanoid.kindsl";
   Diagnostics diagnostics;

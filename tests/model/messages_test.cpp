@@ -1,6 +1,6 @@
 // Every message of the model and of the import, as a user sees it: bad/<name>.kindsl, .motdsl or .ctdsl, with
-// bad/<name>.dtdsl where the matter is a list of desired transforms, must yield exactly bad/<name>.expected (nothing
-// for a document that is fine).
+// bad/<name>.dtdsl for messages about desired transforms, must produce exactly bad/<name>.expected (nothing if the
+// document is correct).
 #include "import/frames.h"
 #include "reading.h"
 
@@ -17,7 +17,7 @@ path file(const std::string& name, const std::string& extension) {
   return folder() / (name + extension);
 }
 
-// Reads a document of any of the languages into its model; whether that succeeded must agree with the messages.
+// Reads a document of any language into its model; the model exists if and only if there are no errors.
 void read_robot(const std::string& name, Diagnostics& diagnostics) {
   const auto tree = test::tree_of(test::source_of_file(file(name, ".kindsl")), diagnostics);
   EXPECT_EQ(tree.has_value(), !diagnostics.has_errors());
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(test::stems(folder(), {".kindsl", ".motdsl", ".ctdsl"})),
     test::test_name);
 
-// Codes are the string literals in kebab case, and whatever is given literally to error() or warning().
+// Codes are the string literals in kebab case and all literals passed to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
   const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"),
       reported(R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re");

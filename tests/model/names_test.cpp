@@ -1,4 +1,4 @@
-// When two names are one with a slip of the pen in it.
+// Which names differ only by a typing error.
 #include "import/names.h"
 
 #include <gtest/gtest.h>

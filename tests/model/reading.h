@@ -1,4 +1,4 @@
-// Documents read from files and texts, all the way to the model.
+// Reads documents from files and texts into models.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,7 @@
-// The programs that are generated lose no more digits than the plain recursions do in the same precision.
+// Generated programs lose no more digits than the plain recursions do in the same precision.
 //
-// ROBCOGEN_TEST_ILL_ROBOTS raises the volume; ROBCOGEN_TEST_ILL_SEED is a single robot, from 1, in place of all.
+// ROBCOGEN_TEST_ILL_ROBOTS raises the number of robots. ROBCOGEN_TEST_ILL_SEED, counted from 1, selects a single robot
+// instead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,17 +24,17 @@ using model::KinematicTree;
 using symbolic::Arrays;
 using symbolic::Program;
 
-// A program may lose this many times as much as the plain one does …
+// The error of a program may be this many times the error of the plain program …
 constexpr double kShare = 4.0;
-// … or this many roundings: sums of other order differ by that.
+// … or this many roundings, which is what sums in another order can differ by.
 constexpr double kFloor = 32.0;
-// Where the plain program loses more than this share of the result, or is not finite in this share of all states, there
-// are no digits to compare.
+// If the plain program loses more than this share of the result, or is not finite in this share of all states, there
+// are no digits left to compare.
 constexpr double kLost = 1e-2, kOftenLost = 0.1;
 
-// Places far apart, and states close to each of them: near a singular position all errors are as large as that is near,
-// and one state alone tells of luck. Few places may as well: a program that seems to lose too much in them is judged in
-// many others.
+// Samples are places far apart, with a few states close to each. The closer a state is to a singular position, the
+// larger all errors are, so a single state depends on chance. So do a few places: a program that seems to lose too much
+// in them is judged again in many others.
 constexpr int kFewPlaces = 8, kManyPlaces = 256, kNearby = 4;
 constexpr double kNear = 1e-3;
 
@@ -57,7 +58,7 @@ const std::vector<std::string>& groups() {
   return list;
 }
 
-// Of the derivatives that a user asks for.
+// Examples of the derivatives that a user can ask for.
 const std::vector<driver::Derivative>& derivatives() {
   static const std::vector<driver::Derivative> list = {
       {"inverse_dynamics", {"q", "qd"}}, {"forward_dynamics", {"q"}}, {"joint_space_inertia", {"q"}}};
@@ -68,7 +69,7 @@ double uniform(std::mt19937_64& engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
 }
 
-// Numbers that a float holds, but for quaternions: of these few are of unit length.
+// Draws inputs that a float represents exactly, except for quaternions: few of those have unit length.
 Arrays<double> inputs_of(const Program& program, int place, int nearby) {
   std::mt19937_64 far(static_cast<std::uint64_t>(place) * 1000),
       near(static_cast<std::uint64_t>(place * 1000 + nearby));
@@ -98,7 +99,7 @@ Arrays<To> cast(const Arrays<double>& arrays) {
   return result;
 }
 
-// The reference of a program, state by state.
+// An input state and the reference results of a program in it.
 struct State {
   Arrays<double> inputs;
   Arrays<long double> results;
@@ -118,12 +119,12 @@ std::vector<State> states_of(const Program& plain, int first_place, int places) 
 }
 
 struct Error {
-  double mean_square = 0.0;  // its root: of the largest errors, relative to the largest results
-  int not_finite = 0;        // states where this is so although the results are; they have no share in the mean
+  double mean_square = 0.0;  // root mean square of the largest errors, relative to the largest results
+  int not_finite = 0;        // states where only the reference is finite; excluded from the mean
 };
 
-// The scale of each state and output array: a state where results cancel is judged by a fraction of what they are
-// otherwise.
+// Returns the smallest scale for each output array: where results cancel, errors are judged by a fraction of their
+// usual size.
 std::map<std::string, long double> least_scales(const std::vector<State>& states) {
   constexpr long double kLeastScale = 0.25;
   std::map<std::string, long double> squares;
@@ -142,8 +143,8 @@ bool is_derivative(const std::string& array) {
   return array.rfind("d_", 0) == 0 || array.find("_d_") != std::string::npos;
 }
 
-// Of what is differentiated: a derivative by an angle that is smaller than a rounding of this has no digits, not even
-// in the reference.
+// Returns the largest value that is differentiated: derivatives with respect to an angle that are smaller than its
+// rounding have no digits, not even in the reference.
 long double scale_of_values(const std::string& program, const Arrays<long double>& results) {
   long double largest = 0;
   if (!is_derivative(program)) return largest;
@@ -153,7 +154,7 @@ long double scale_of_values(const std::string& program, const Arrays<long double
   return largest;
 }
 
-// By output array.
+// Returns the errors of each output array.
 template <class Real>
 std::map<std::string, Error> errors_of(const Program& program, const std::vector<State>& states) {
   const std::map<std::string, long double> least = least_scales(states);
@@ -186,7 +187,7 @@ std::map<std::string, Error> errors_of(const Program& program, const std::vector
   return errors;
 }
 
-// States, and the loss of the plain program in them.
+// States, and the errors of the plain program in them.
 struct Sample {
   std::vector<State> states;
   std::map<std::string, Error> in_double, in_float;
@@ -199,7 +200,7 @@ Sample sample_of(const Program& plain, int first_place, int places) {
   return sample;
 }
 
-// Empty, or the loss of the program.
+// Returns an empty string, or a message that says how many digits the program loses.
 template <class Real>
 std::string loss(const Program& program, const Sample& sample) {
   constexpr bool kIsFloat = std::is_same_v<Real, float>;
@@ -225,7 +226,7 @@ std::string loss(const Program& program, const Sample& sample) {
   return loss<double>(program, sample) + loss<float>(program, sample);
 }
 
-// The criteria for programs of one function.
+// Judges the programs of one function.
 class Judge {
  public:
   explicit Judge(const Program& plain) : plain_(plain), few_(sample_of(plain, 0, kFewPlaces)) {}
@@ -240,7 +241,7 @@ class Judge {
   Sample few_;
 };
 
-// Derivatives of a plain program are those by forward mode.
+// Returns the plain program of a kernel. Derivatives of plain programs are made by forward mode.
 const Program& plain_program(std::map<std::string, Program>& plain, const std::string& kernel) {
   const std::size_t suffix = kernel.rfind("_d_q");
   if (plain.count(kernel) == 0) {
@@ -253,7 +254,7 @@ const Program& plain_program(std::map<std::string, Program>& plain, const std::s
   return plain.at(kernel);
 }
 
-// Of all that is generated for the robot.
+// Returns the messages for everything that is generated for the robot.
 std::string losses(const KinematicTree& tree) {
   std::string text;
   const backend::Library library = driver::library(
@@ -276,7 +277,7 @@ std::string losses(const KinematicTree& tree) {
 void expect_digits(const KinematicTree& tree, std::uint64_t seed) {
   const std::string text = losses(tree);
   if (text.empty()) return;
-  if (!tree.spherical_joints().empty()) {  // whose components `shrink` would part
+  if (!tree.spherical_joints().empty()) {  // `shrink` would separate its components
     ADD_FAILURE() << "seed " << seed << "\n" << text << describe(tree);
     return;
   }
@@ -296,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
     IllDocuments,
     testing::Values("near_parallel", "crumbs", "nearly_planar", "noisy_rotors"));
 
-// Shards, so that a test runner can share them out.
+// Shards let a test runner distribute the robots.
 constexpr int kShards = 10;
 
 class IllRobots : public testing::TestWithParam<int> {};
@@ -310,7 +311,7 @@ TEST_P(IllRobots, LoseNoMoreDigitsThanThePlainRecursions) {
   }
 }
 
-// The same with some joints spherical, and few enough coordinates for derivatives of forward dynamics.
+// Returns an ill robot with some spherical joints, small enough that the derivatives of forward dynamics are feasible.
 KinematicTree ill_robot_with_spherical_joints(std::uint64_t seed) {
   for (std::uint64_t next = seed;; next += 1000) {
     KinematicTree robot = with_spherical_joints(ill_robot(next), next, false);
@@ -342,7 +343,7 @@ TEST_P(IllRobotsWithRotors, LoseNoMoreDigitsThanThePlainRecursions) {
 
 INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithRotors, testing::Range(0, kShards));
 
-// Robots whose losses hid behind those of another result, of a single state, or below a floor.
+// Robots whose losses are easily hidden: by those of another result, by those of a single state, or by the floor.
 TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {
   for (const std::uint64_t seed : {170, 449, 525, 1871}) expect_digits(ill_robot(seed), seed);
 }

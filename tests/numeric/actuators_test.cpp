@@ -1,4 +1,4 @@
-// Actuators between frames: their lengths, lever arms and forces against frames and Jacobians of the reference.
+// Actuators between frames: lengths, lever arms and forces compared with frames and Jacobians of the reference.
 #include <gtest/gtest.h>
 
 #include "coupled_robot.h"
@@ -20,7 +20,8 @@ int tree_count() {
   return robot_count() / 20;
 }
 
-// Between random frames, or one across one joint; every third robot has coupled joints.
+// Adds actuators between random frames, or one actuator that spans a single joint. Every third robot has coupled
+// joints.
 KinematicTree with_actuators(std::uint64_t seed) {
   KinematicTree tree = random_robot(seed, {.max_joints = 12});
   if (seed % 3 == 0) tree = coupled(tree, seed).robot;
@@ -37,7 +38,7 @@ KinematicTree with_actuators(std::uint64_t seed) {
     const int joint = tree.links[static_cast<std::size_t>(tree.link_of(to))].parent_joint;
     const bool is_next = joint >= 0 && tree.joints[static_cast<std::size_t>(joint)].parent == tree.link_of(from);
     if (across_one && !is_next) continue;
-    // Frames that may coincide everywhere are refused in documents.
+    // The generator refuses documents whose actuator frames always coincide.
     if (tree.link_of(from) == tree.link_of(to) || reference::largest(reference::origin_of(apart)) < 1e-3) continue;
     tree.actuators.push_back({"actuator_" + std::to_string(k), {from.name, to.name}, {}});
   }
@@ -85,7 +86,7 @@ TEST(Actuators, AgreeWithTheReference) {
     std::mt19937_64 engine(seed);
     const reference::Motion<double> m = reference::random_sample(engine, tables).motion;
     const Expected wanted = expected(tree, tables, m.q);
-    // Ends that coincide have no direction.
+    // An actuator whose ends coincide has no direction.
     if (std::any_of(wanted.lengths.begin(), wanted.lengths.end(), [](double l) { return l < 1e-3; })) continue;
     const std::string what = "seed " + std::to_string(seed);
     const auto run = [&](const std::string& function, const std::string& output, const std::string& input, Values v) {

@@ -1,5 +1,5 @@
-// Loops that are flat where their joints are at zero, and whose joints say where they are assembled: against the
-// reference, and against the same robot drawn there.
+// Loops that are flat when all joints are at zero, and whose joints declare the position in which they are assembled.
+// They are compared with the reference, and with the same robot drawn in the assembled position.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 using model::KinematicTree;
 using reference::Vector;
 
-// Arms in the plane of x and y: where each joint is on the one before, and where it is assembled.
+// An arm in the x-y plane: the position of each joint along its parent link, and the angle at which it is assembled.
 struct Arm {
   struct Joint {
     std::string name;
@@ -28,7 +28,7 @@ struct Arm {
   };
   double base;  // x of the first joint
   std::vector<Joint> joints;
-  double end;  // of the frame on the last link
+  double end;  // x of the frame on the last link
 };
 
 struct Mechanism {
@@ -42,8 +42,8 @@ void PrintTo(const Mechanism& mechanism, std::ostream* out) {
   *out << mechanism.name;
 }
 
-// All on one line at zero. Five links, two of which follow; a crank, a rod and a rocker; the same with the rod in two
-// pieces that are welded, so that three joints follow.
+// All joints lie on one line at zero. The mechanisms are a six-bar whose loop has two followers; a crank, a rod and a
+// rocker; and the same with the rod in two pieces that are welded together, so that three joints follow.
 const std::vector<Mechanism> kMechanisms = {
     {"SixBar",
      {0.0, {{"a", 0.0, 0.0}, {"b", 0.1, 0.0}, {"c", 0.2, 0.0}}, 0.3},
@@ -64,7 +64,8 @@ const std::vector<Mechanism> kMechanisms = {
      "a",
      model::Closure::Method::iterative}};
 
-// `drawn`: the placements of the joints are turned to where they are assembled.
+// Writes the document of a mechanism. With `is_drawn` the placements of the joints are turned to their assembled
+// positions.
 class Writer {
  public:
   Writer(const Mechanism& mechanism, bool says_assembled, bool is_drawn)
@@ -133,7 +134,7 @@ TEST_P(AssembledLoops, AgreeWithTheReference) {
   EXPECT_EQ(check_all(InterpretedRobot(tree, model::default_desired(tree)), 7, 4).failure_report(), "");
 }
 
-// The positions of all joints differ by those in which they are assembled.
+// Positions of the two robots differ by the assembled positions of the joints.
 TEST_P(AssembledLoops, MoveAsIfDrawnThere) {
   const KinematicTree tree = tree_of_text(assembled(GetParam())), other = tree_of_text(drawn(GetParam()));
   const InterpretedRobot robot(tree, {}), same(other, {});
@@ -175,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(kMechanisms),
     [](const testing::TestParamInfo<Mechanism>& of) { return of.param.name; });
 
-// Sides of 0.2 and 0.5 m, flat at zero, where links that cross meet those that stay parallel.
+// A parallelogram with sides of 0.2 m and 0.5 m, flat at zero, where the crossed and the parallel branch meet.
 TEST(AssembledParallelograms, AreCrossedWhereTheirJointsSaySo) {
   const auto tree = [](double b, double c) {
     Mechanism m = {"", {0.0, {{"a", 0.0, 0.5}, {"b", 0.2, b}}, 0.5}, {0.5, {{"c", 0.0, c}}, 0.2}, "hinge", "a", {}};
@@ -188,7 +189,7 @@ TEST(AssembledParallelograms, AreCrossedWhereTheirJointsSaySo) {
   EXPECT_EQ(check_all(InterpretedRobot(crossed, model::default_desired(crossed)), 7, 4).failure_report(), "");
 }
 
-// In a part: the image of a joint that keeps its sense is assembled at the opposite position.
+// In a mirrored part, the image of a joint that keeps its sense is assembled at the opposite position.
 TEST(AssembledParts, AreMirrored) {
   const Mechanism& m = kMechanisms[1];
   std::string text = assembled(m);

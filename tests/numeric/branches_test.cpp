@@ -1,4 +1,4 @@
-// Loops that are assembled the other way: against the reference, and against the same robot drawn there.
+// Loops assembled in their other branch, compared with the reference and with the same robot drawn in that position.
 #include <gtest/gtest.h>
 
 #include "import/kinematics.h"
@@ -28,7 +28,7 @@ std::string frame(const std::string& name, const std::string& translation, const
   return name + " { translation = (" + translation + ") rotation = (" + rotation + ") } ";
 }
 
-// The document of a mechanism whose joints that follow are moved by this much before they are at q = 0.
+// Returns the document of a mechanism whose followers are offset by `first` and `second` at q = 0.
 using Drawing = std::string (*)(double first, double second, const std::string& branch);
 
 std::string four_bar(double first, double second, const std::string& branch) {
@@ -71,7 +71,7 @@ model::KinematicTree tree_of(const std::string& text) {
   return *std::move(tree);
 }
 
-// By joint that follows, in the order of the document.
+// Returns the assembled positions of the followers, in the order of the document.
 std::vector<double> assembled(const model::KinematicTree& tree) {
   std::vector<double> positions;
   for (const model::Coupling& coupling : tree.couplings) positions.push_back(model::evaluate(coupling.offset));
@@ -88,7 +88,7 @@ TEST_P(Branches, CloseInTwoWays) {
   ASSERT_EQ(other.closures.size(), 1U);
   EXPECT_EQ(other.closures.front().branch, -drawn.closures.front().branch);
   EXPECT_EQ(tree_of(GetParam()(0, 0, " branch = drawn")).closures.front().branch, drawn.closures.front().branch);
-  // Far from one another.
+  // The two branches are far apart.
   EXPECT_GT(std::abs(assembled(other)[0] - assembled(drawn)[0]), 0.3);
 }
 

@@ -1,4 +1,4 @@
-// Loops that share joints: which joints follow in each decides whether formulas close all of them.
+// Loops that share joints: whether formulas close all of them depends on which joints follow in each.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using model::KinematicTree;
 using Method = model::Closure::Method;
 
-// Joints and links of equal names but for `l`: each link carries the next one, at its frame `end`.
+// A joint and its link share a name; the link has the prefix `l`. Each link carries the next one, and a frame `end`.
 std::string link(int id, const std::string& name, const std::string& next, double length, const std::string& frames) {
   return fmt::format(
       "link l{} {{ id = {} inertia_params {{ mass = 1.1 CoM = (0.12, 0.03, 0.02) Ix = 0.06 Iy = 0.065 Iz = 0.07 "
@@ -26,7 +26,7 @@ std::string joint(const std::string& name, double along, double angle, const std
       along, angle, more);
 }
 
-// Crank a, rod b and rocker c; on the rocker rod d, which moves a second rocker e. The crank has a motor.
+// A crank a, a rod b and a rocker c; the rocker drives a second rocker e through a rod d. The crank has a motor.
 std::string two_four_bars(const std::string& leader) {
   return "Robot Chain { RobotBase base { children { la via a lc via c le via e } } " + link(1, "a", "b", 0.2, "") +
          link(2, "b", "", 0.55, "") + link(3, "c", "d", 0.4, "") + link(4, "d", "", 0.45, "") +
@@ -44,7 +44,7 @@ std::vector<std::string> names_of(const KinematicTree& tree, const std::vector<i
 
 class ChainedLoops : public testing::TestWithParam<std::string> {};
 
-// With d as the coordinate, b and c must not both follow in the first loop, though there only a has a motor.
+// When d is the coordinate, b and c must not both follow in the first loop, although only a has a motor there.
 TEST_P(ChainedLoops, CloseByFormulas) {
   const KinematicTree tree = tree_of_text(two_four_bars("independent { " + GetParam() + " } "));
   EXPECT_EQ(names_of(tree, tree.coordinates()), std::vector<std::string>{GetParam()});
@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("a", "b", "c", "d", "e"),
     [](const testing::TestParamInfo<std::string>& of) { return of.param; });
 
-// Both loops have x and y, and t leads: no three joints of the second one are known before the first one is closed.
+// Both loops contain x and y, and t is the coordinate: until the first loop is closed, no three joints of the second
+// one are known.
 TEST(LoopsThatWaitForOneAnother, CloseTogether) {
   const std::string text =
       "Robot Ring { RobotBase base { children { lx via x lp via p ls via s } } " + link(1, "x", "y", 0.3, "") +

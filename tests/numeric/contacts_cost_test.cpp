@@ -1,4 +1,4 @@
-// What functions of contacts cost, as the generator makes them: they must stay sparse.
+// Operation counts of the contact functions: they must stay sparse.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace robcogen::numeric {
 namespace {
 
-// Multiplications and additions by function.
+// Returns the number of multiplications and additions of each function.
 std::map<std::string, int> costs(const std::string& robot, const std::vector<std::string>& contacts) {
   Diagnostics diagnostics;
   const std::filesystem::path file = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / robot / (robot + ".kindsl");
@@ -30,7 +30,7 @@ std::map<std::string, int> costs(const std::string& robot, const std::vector<std
   return result;
 }
 
-// Figures of a textbook implementation with the factor's sparsity.
+// The limits are the counts of a textbook implementation that uses the sparsity of the factor.
 TEST(ContactsCost, IsThatOfTheSparseFactor) {
   const auto quadruped = costs("quadruped", {"fr_LF_foot", "fr_RF_foot", "fr_LH_foot", "fr_RH_foot"});
   EXPECT_LE(quadruped.at("inverse_contact_inertia"), 3307);
@@ -40,7 +40,7 @@ TEST(ContactsCost, IsThatOfTheSparseFactor) {
   EXPECT_LE(arm.at("constrained_forward_dynamics"), 1222);
 }
 
-// Of legs on a fixed base: blocks that couple none.
+// The blocks of legs on a fixed base are not coupled.
 TEST(ContactsCost, GrowsWithTheContacts) {
   const auto one = costs("quadruped_fixed", {"fr_LF_foot"});
   const auto all = costs("quadruped_fixed", {"fr_LF_foot", "fr_RF_foot", "fr_LH_foot", "fr_RH_foot"});

@@ -1,5 +1,5 @@
-// Functions of contacts, Jacobians with base columns and the bias of the centroidal momentum on random robots, against
-// dense equations of the reference in long double.
+// Contact functions, Jacobians with base columns and the bias of the centroidal momentum on random robots, compared
+// with dense equations of the reference in long double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ using Values = std::vector<double>;
 
 constexpr double kKinematics = 1e-11;
 constexpr double kDigits = 1e-13;
-constexpr double kDynamics = 1e-10;  // of the largest result; systems that are solved with fewer digits are passed over
+constexpr double kDynamics = 1e-10;  // of the largest result; systems that lose more digits are skipped
 
 double relative(const Matrix& found, const Matrix& wanted) {
   return static_cast<double>(reference::largest(found - wanted) / (1 + reference::largest(wanted)));
@@ -45,8 +45,8 @@ Matrix matrix(const Values& values, int rows) {
   return m;
 }
 
-// A random robot with contacts, its programs and a state of it. Every third is driven, every third is coupled; half of
-// them are seen in other link frames.
+// A random robot with contacts, its programs and one state. Every third robot has drives, every third has couplings;
+// half of the robots are computed in other link frames.
 struct Case {
   explicit Case(std::uint64_t number, const std::vector<std::string>& groups) : dice(number + 77), seed(number) {
     KinematicTree tree = random_robot(seed, {.min_joints = 2, .max_joints = 14});
@@ -110,7 +110,7 @@ struct Case {
     more.merge(inputs());
     return robot->run(name, arguments(), more);
   }
-  // For functions without loads.
+  // Runs a function that takes no loads.
   symbolic::Arrays<double> run_plain(const std::string& name, symbolic::Arrays<double> more = {}) const {
     more.merge(inputs());
     return robot->run(name, {}, more);
@@ -140,7 +140,7 @@ struct Case {
   }
 
   Values by_row(const Values& by_contact) const { return reference::by_row(tables->robot(), by_contact); }
-  // None, one, some or all.
+  // Makes none, one, some or all of the contacts active.
   Values random_activity() {
     Values active(desired.contacts.size());
     const int kind = dice.below(4);
@@ -166,7 +166,7 @@ struct Case {
   int rows = 0;
 };
 
-// Calls check(case) for robots that have contacts, with the functions of a group.
+// Calls check(case) for robots that have contacts, with the functions of one group.
 template <class Check>
 void for_each_case(const std::string& group, const Check& check) {
   const int count = std::max(40, robot_count() / 20);
@@ -262,8 +262,8 @@ TEST(Contacts, InverseDynamicsSubtractsGivenWrenches) {
   });
 }
 
-// The wrenches f, with the multipliers y of the base: f / weights - J_b y = 0, J_b^T f + r y = wrench that the base
-// needs.
+// With the wrenches f and the multipliers y of the base: f / weights - J_b y = 0 and J_b^T f + r y = the wrench that
+// the base needs.
 TEST(Contacts, ConstrainedInverseDynamicsHasTheSmallestWrenches) {
   int compared = 0, open = 0;
   for_each_case("contacts", [&](Case& c) {
@@ -276,7 +276,7 @@ TEST(Contacts, ConstrainedInverseDynamicsHasTheSmallestWrenches) {
     const Matrix J = c.contact_jacobian();
     const Vector needed =
         c.generalized(reference::inverse_dynamics_fully_actuated(c.tables->robot(), c.motion, c.loads()));
-    // As wrenches g = f / weights: zero weights leave no row without a number.
+    // Eliminates g = f / weights = J_b y, so that zero weights cause no division by zero.
     const Matrix J_b = J.block(0, 0, c.rows, 6);
     Matrix K(6, 6), G(c.rows, c.rows);
     for (int k = 0; k < c.rows; ++k) G(k, k) = weights[static_cast<std::size_t>(k)];
@@ -306,7 +306,7 @@ TEST(Contacts, OperationalSpaceIsDynamicallyConsistent) {
     const Values by_contact = c.random_activity(), active = c.by_row(by_contact);
     const Values compliance = c.random(c.rows, 1e-2, 1);
     const Matrix J = c.contact_jacobian(), H = c.inertia();
-    // Inverse by columns of the dense system: a unit acceleration at one row.
+    // The columns of the inverse from the dense system: a unit acceleration at one row at a time.
     Matrix expected(c.rows, c.rows), inverse(c.size(), c.rows);
     for (int k = 0; k < c.rows; ++k) {
       if (active[static_cast<std::size_t>(k)] == 0) continue;
@@ -327,7 +327,7 @@ TEST(Contacts, OperationalSpaceIsDynamicallyConsistent) {
   EXPECT_GT(compared, 30);
 }
 
-// A robot of which a contact alone is singular: one joint, whose tip cannot move along the link.
+// A single contact that is singular: the robot has one joint, and its tip cannot move along the link.
 TEST(Contacts, OpenOnesAreRegularWhateverTheyAre) {
   const KinematicTree tree = random_robot(3, {.min_joints = 1, .max_joints = 1});
   ASSERT_FALSE(tree.floating_base);
@@ -351,7 +351,7 @@ TEST(Contacts, OpenOnesAreRegularWhateverTheyAre) {
   for (const double f : run(1, 1e-3).at("contact_wrenches")) EXPECT_TRUE(std::isfinite(f));
 }
 
-// Two frames at one place: without compliance the rows are redundant; with it they share the load.
+// Two frames coincide: without compliance their rows are redundant; with compliance they share the load.
 TEST(Contacts, RedundantOnesShareTheLoad) {
   KinematicTree tree;
   for (std::uint64_t seed = 0; !tree.floating_base; ++seed)
@@ -391,7 +391,7 @@ TEST(Contacts, RedundantOnesShareTheLoad) {
   }
 }
 
-// Of legs on a fixed base: no coordinate moves two feet.
+// Legs on a fixed base: no coordinate moves two feet.
 TEST(Contacts, ThatShareNoCoordinateHaveLiteralZeros) {
   const KinematicTree tree = random_robot(11, {.min_joints = 6, .max_joints = 6, .shape = Shape::star});
   model::DesiredTransforms desired;

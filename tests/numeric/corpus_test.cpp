@@ -1,5 +1,5 @@
-// Robot descriptions from the field, from the text to the results: parser, model, programs, interpreter, against the
-// reference and against identities P1 to P5.
+// Published robot descriptions, from text to results: parser, model, programs and interpreter, compared with the
+// reference and with the identities P1 to P5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::shared_ptr<const Source> source(const path& document) {
   return std::make_shared<Source>(document.string(), std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-// nullopt for those that are malformed on purpose: the tests of the languages say which and why.
+// Returns nullopt for documents that are malformed on purpose; the tests of the languages say which ones and why.
 std::optional<model::KinematicTree> robot_of(const path& document) {
   Diagnostics diagnostics;
   const auto read = import::robot_document(source(document), {}, diagnostics);
@@ -39,7 +39,7 @@ std::optional<model::KinematicTree> robot_of(const path& document) {
   return diagnostics.has_errors() ? std::nullopt : tree;
 }
 
-// Defaults of the document, and ordinary numbers where it has none.
+// Default values of the document, and moderate numbers for parameters that have none.
 std::vector<double> parameters_of(const model::KinematicTree& robot) {
   std::vector<double> values;
   for (const model::Parameter& p : robot.parameters)
@@ -76,7 +76,7 @@ TEST_F(Corpus, RobotsAgreeWithTheReference) {
   EXPECT_GT(robots, 20);
 }
 
-// Every list of desired transforms, with each robot that has the name which it gives.
+// Checks every list of desired transforms with each robot of the name that the list gives.
 TEST_F(Corpus, DesiredTransformsAgreeWithTheReference) {
   int lists = 0;
   for (const path& list : documents(".dtdsl")) {

@@ -12,7 +12,7 @@ using model::Coupling;
 using model::KinematicTree;
 using model::Quantity;
 
-// A value as a quantity; for robots with parameters a parameter, or an expression of one.
+// Returns a value as a quantity. For robots with parameters it is a parameter, or an expression of one.
 Quantity quantity(CoupledRobot& made, double value, model::ParameterKind kind, bool parametric) {
   if (!parametric) return Quantity(value);
   const Quantity p = Quantity::parameter(static_cast<int>(made.parameters.size()));

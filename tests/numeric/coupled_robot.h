@@ -10,11 +10,12 @@ namespace robcogen::numeric {
 
 struct CoupledRobot {
   model::KinematicTree robot;
-  std::vector<double> parameters;  // values, where factors and offsets depend on parameters
+  std::vector<double> parameters;  // values of the parameters that factors and offsets depend on
 };
 
-// The robot with about a third of its joints coupled, the same ones for the same seed: followers with factors of one,
-// minus one and others, differentials, joints that stand still. At least one joint stays independent.
+// Couples about a third of the robot's joints: followers with a factor of one, minus one or another number,
+// differentials, and joints that stand still. The choice depends only on the seed, and at least one joint stays
+// independent.
 CoupledRobot coupled(const model::KinematicTree& free, std::uint64_t seed, bool parametric = false);
 
 }  // namespace robcogen::numeric

@@ -1,5 +1,5 @@
-// Robots with coupled joints: all functions against the reference, whose bodies move by the couplings; and against the
-// Lagrange reduction of the robot whose joints are free.
+// Robots with coupled joints: all functions compared with the reference, whose bodies move by the couplings, and with
+// the Lagrange reduction of the robot whose joints are free.
 #include <gtest/gtest.h>
 
 #include "coupled_robot.h"
@@ -45,7 +45,7 @@ TEST_P(CoupledRobots, AgreeWithTheReferenceAndWithThemselves) {
   }
 }
 
-// q = G y + c, in the order of the free robot's joints.
+// q = G y + c, with rows in the order of the free robot's joints.
 struct Reduction {
   explicit Reduction(const KinematicTree& robot)
       : G(static_cast<int>(robot.joints.size()), robot.dof()), c(static_cast<int>(robot.joints.size())) {
@@ -68,7 +68,7 @@ struct Reduction {
     result.qdd = G * m.qdd;
     return result;
   }
-  // The same with the base's six coordinates, where it floats.
+  // G with the six base coordinates in front, if the base floats.
   Matrix<double> with_base(bool floating) const {
     if (!floating) return G;
     Matrix<double> all(6 + G.rows(), 6 + G.cols());

@@ -7,7 +7,7 @@
 
 namespace robcogen::test {
 
-// By joint that follows.
+// One expression for each follower.
 inline std::string sums(const model::KinematicTree& tree) {
   std::string text;
   for (const model::Coupling& coupling : tree.couplings) {

@@ -1,5 +1,5 @@
-// One mechanism, cut at each of its pivots in turn and led by each choice of its joints: each way of writing it gives
-// the same motion of its links.
+// One mechanism, cut at each of its pivots in turn and driven by each choice of its joints: every description gives the
+// same motion of the links.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -18,12 +18,12 @@ using reference::Vector;
 
 constexpr double kSame = 1e-10;
 
-// Of the pivots in their order, then of the joint `extra`.
+// One element per pivot, in order, then one for the joint `extra`.
 struct PivotMotion {
   Vector<Real> position, velocity, acceleration;
 };
 
-// All turns along the ring together are none.
+// The rotations at the pivots around the ring sum to zero.
 PivotMotion motion_of_pivots(
     const Ring& ring,
     int cut,
@@ -52,7 +52,7 @@ PivotMotion motion_of_pivots(
   return result;
 }
 
-// The pivots that lead, by coordinate; `extra` is the one behind the last pivot.
+// Returns the pivot of each coordinate; `extra` is the one after the last pivot.
 std::vector<int> coordinates(const Ring& ring, const reflection::Robot& tables) {
   std::vector<int> pivots;
   for (int c = 0; c < tables.dof(); ++c) {
@@ -86,7 +86,7 @@ TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
     reference::Motion<double> motion;
     motion.q = draw(dof, 0.2), motion.qd = draw(dof, 1.0);
     const double force_of_extra = dice.between(-5, 5);
-    // Forward dynamics with a force of the joint `extra` alone.
+    // Forward dynamics with a force at the joint `extra` only.
     const auto acceleration = [&](const InterpretedRobot& robot, const reference::Motion<double>& state) {
       const std::vector<int> leaders = coordinates(ring, robot.tables());
       Vector<double> tau(dof);
@@ -102,7 +102,7 @@ TEST_P(CutLoops, MoveAlikeWhereverTheyAreCut) {
         const std::vector<int> of = coordinates(ring, robot.tables());
         ASSERT_EQ(static_cast<int>(of.size()), dof) << text;
         if (documents++ == 0) {
-          // Where the loop closes.
+          // Look for a position in which the loop closes.
           for (int tries = 0; tries < 20 && !reference::AtLoops(robot.tables(), motion).is_usual(); ++tries)
             motion.q = draw(dof, 0.2);
           motion.of_loops = {};

@@ -1,5 +1,5 @@
-// What derivatives of the dynamics must satisfy, whatever the robot: identities with functions that share no formulas
-// with them, and differences of the reference along every single coordinate.
+// Identities that the derivatives of the dynamics satisfy for every robot: relations to functions that share no
+// formulas with them, and differences of the reference along each coordinate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ using Values = std::vector<long double>;
 using State = symbolic::Arrays<long double>;
 
 constexpr std::uint64_t kRobots = 120;
-// The identities are exact: what is left is rounding of long double.
+// The identities are exact: only rounding of long double remains.
 constexpr long double kNear = 1e-12L;
 
-// Of all joint types; some with rotors and other drives, some with coupled joints, some with spherical ones.
+// Robots with all joint types. Some have rotors and other drives, some coupled joints, some spherical joints.
 model::KinematicTree robot_of(std::uint64_t seed) {
   model::KinematicTree robot = random_robot(seed, {.max_joints = 10});
   if (seed % 3 == 0) robot = with_random_drives(std::move(robot), seed);
@@ -39,7 +39,7 @@ std::string message(std::uint64_t seed, const std::string& what) {
   return "seed " + std::to_string(seed) + ": " + what;
 }
 
-// Values of all inputs of the program; quaternions are of unit length.
+// Draws values for all inputs of the program; quaternions have unit length.
 void draw(const Program& program, std::mt19937_64& engine, State& state) {
   for (const symbolic::InputArray& array : program.inputs) {
     Values& values = state[array.name];
@@ -67,7 +67,7 @@ State results(const Program& program, const State& state) {
   return symbolic::interpret(program, inputs);
 }
 
-// Of the base, if it floats, then of the joints.
+// Returns the values of the base, if it floats, followed by those of the joints.
 Values stacked(const State& results, const std::string& of_base, const std::string& of_joints) {
   const auto base = results.find(of_base);
   Values all = base == results.end() ? Values() : base->second;
@@ -82,7 +82,7 @@ Values sum(long double a, const Values& x, long double b, const Values& y) {
   return result;
 }
 
-// Matrices stand column by column.
+// Matrices are column-major.
 Values product(const Values& matrix, const Values& columns, std::size_t inner) {
   if (inner == 0 || columns.empty()) return {};
   const std::size_t rows = matrix.size() / inner;
@@ -99,7 +99,7 @@ long double largest(const Values& values) {
   return result;
 }
 
-// `size` of the terms whose sum each is.
+// `size` is the size of the terms that each element sums.
 void expect_same(const Values& found, const Values& expected, long double size, const std::string& what) {
   ASSERT_EQ(found.size(), expected.size()) << what;
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -128,7 +128,7 @@ Values forces(const Program& newton_euler, const State& state) {
   return stacked(results(newton_euler, state), "base_wrench", "tau");
 }
 
-// By accelerations: of the joint-space inertia matrix.
+// The derivative with respect to accelerations is the joint-space inertia matrix.
 TEST(DerivativeIdentities, ByAccelerationsTheyAreTheInertiaMatrix) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     const model::KinematicTree robot = robot_of(seed);
@@ -141,8 +141,8 @@ TEST(DerivativeIdentities, ByAccelerationsTheyAreTheInertiaMatrix) {
   }
 }
 
-// What velocities cause, without what is odd in them as damping is, is a quadratic form Q: its derivative times the
-// velocities is 2 Q (Euler).
+// The forces that velocities cause, without the odd terms such as damping, are a quadratic form Q: its derivative times
+// the velocities is 2 Q (Euler).
 TEST(DerivativeIdentities, ByVelocitiesTheyAreThoseOfAQuadraticForm) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     const model::KinematicTree robot = robot_of(seed);
@@ -164,8 +164,9 @@ TEST(DerivativeIdentities, ByVelocitiesTheyAreThoseOfAQuadraticForm) {
   }
 }
 
-// At rest they are the second derivatives of the potential energy, of gravity and of springs: symmetric, and without
-// springs those of the gravity forces. Turns about the axes of a spherical joint do not commute.
+// At rest the derivatives with respect to positions are second derivatives of the potential energy of gravity and
+// springs: they are symmetric, and without springs they equal those of the gravity forces. Symmetry does not hold for
+// spherical joints, because rotations about their axes do not commute.
 TEST(DerivativeIdentities, ByPositionsAtRestTheyAreSymmetric) {
   int robots = 0;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -193,8 +194,8 @@ TEST(DerivativeIdentities, ByPositionsAtRestTheyAreSymmetric) {
   EXPECT_GT(robots, 60);
 }
 
-// With a(x) the accelerations that forces give: H da/dx + df/dx = 0, where f are the forces of inverse dynamics with
-// these accelerations; and H times the columns by tau is one.
+// With a(x) the accelerations of forward dynamics: H da/dx + df/dx = 0, where f are the forces of inverse dynamics at
+// these accelerations; and H times the derivatives with respect to tau is the identity.
 TEST(DerivativeIdentities, OfForwardDynamicsThroughTheInertiaMatrix) {
   int robots = 0;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -225,7 +226,7 @@ TEST(DerivativeIdentities, OfForwardDynamicsThroughTheInertiaMatrix) {
   EXPECT_GT(robots, 60);
 }
 
-// A base that nothing holds: its acceleration leaves no wrench, H_bb da + dw = 0, and adds H_jb da to the forces.
+// For a free base: its acceleration leaves no wrench, H_bb da + dw = 0, and adds H_jb da to the forces.
 TEST(DerivativeIdentities, OfAFreeBaseThroughTheInertiaMatrix) {
   int robots = 0;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -257,8 +258,8 @@ TEST(DerivativeIdentities, OfAFreeBaseThroughTheInertiaMatrix) {
   EXPECT_GT(robots, 20);
 }
 
-// In base coordinates a turn of the base turns gravity the other way. Forces are linear in gravity and in the
-// acceleration of the base, and quadratic in its velocity, so that differences by steps of one are exact.
+// In base coordinates a rotation of the base rotates gravity the other way. Forces are linear in gravity and in the
+// base acceleration, and quadratic in the base velocity, so that differences with unit steps are exact.
 void expect_base_columns(
     const Program& derivatives,
     const Program& plain,
@@ -311,13 +312,13 @@ TEST(DerivativeIdentities, ByTheBaseTheyAreWholeSteps) {
   EXPECT_GT(robots, 20);
 }
 
-// Whether a joint is another one or carries it.
+// True if `joint` is `other` or carries it.
 bool supports(const model::KinematicTree& robot, int joint, int other) {
   while (other >= 0 && other != joint) other = robot.parent_joint_of(other);
   return other == joint;
 }
 
-// Joints on different branches do not feel each other: these elements are literal zeros.
+// Joints on different branches do not affect each other: these elements are literal zeros.
 TEST(DerivativeIdentities, BetweenBranchesTheyAreLiteralZeros) {
   int zeros = 0;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -339,7 +340,7 @@ TEST(DerivativeIdentities, BetweenBranchesTheyAreLiteralZeros) {
   EXPECT_GT(zeros, 1000);
 }
 
-// Fourth-order differences of the reference, in long double, along every coordinate by itself.
+// Fourth-order differences of the reference, in long double, along one coordinate at a time.
 struct ByReference {
   const reference::Case& c;
   const reference::Loads<reference::Real>& loads;

@@ -1,4 +1,4 @@
-// Derivatives by recursion agree with those of single statements, exactly differentiated, on random robots.
+// Recursive derivatives agree with the exact differentiation of each statement, on random robots.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -43,7 +43,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
   for (std::size_t k = 0; k < found.size(); ++k) ASSERT_NEAR(found[k], expected[k], near) << what << ' ' << k;
 }
 
-// The rows of the base, then those of the joints.
+// Returns the rows of the base followed by those of the joints.
 std::vector<double> stacked(const Arrays<double>& results, const std::string& input, int rows_of_base, int rows) {
   const std::vector<double>& joints = results.at(rows_of_base > 0 ? "tau_d_" + input : "d_" + input);
   if (rows_of_base == 0) return joints;
@@ -57,7 +57,7 @@ std::vector<double> stacked(const Arrays<double>& results, const std::string& in
   return result;
 }
 
-// Some with rotors and other drives, some with coupled joints, some with both.
+// Some robots have rotors and other drives, some coupled joints, some both.
 model::KinematicTree robot_with_drives_or_couplings(std::uint64_t seed) {
   model::KinematicTree robot = random_robot(seed, {.max_joints = 12});
   if (seed % 3 == 0) robot = with_random_drives(std::move(robot), seed);
@@ -110,7 +110,7 @@ TEST(Derivatives, GradientOfInverseDynamics) {
 
 // ---- Derivatives of forward dynamics in a loop over right-hand sides.
 
-// What the lane of a limb has.
+// Returns the inputs of one limb's lane.
 Arrays<double> inputs_of_limb(
     const symbolic::SolvedColumns::Limbs& limbs,
     int limb,
@@ -132,7 +132,7 @@ Arrays<double> inputs_of_limb(
   return inputs;
 }
 
-// The results that a language with loops computes.
+// Returns the results that a language with loops computes.
 Arrays<double> solved_in_columns(const symbolic::SolvedColumns& solved, const Arrays<double>& state) {
   Arrays<double> results = symbolic::interpret(solved.right_sides, state);
   for (const symbolic::SolvedColumns::Block& block : solved.blocks) {
@@ -169,7 +169,7 @@ TEST(Derivatives, OfForwardDynamicsInColumns) {
   EXPECT_GT(robots, kRobots / 2);
 }
 
-// A floating base with copies of one limb.
+// Returns a floating base that carries copies of one limb.
 model::KinematicTree robot_with_limbs(std::uint64_t seed, int count) {
   const model::KinematicTree limb = random_robot(seed, {.max_joints = 5, .odd_documents = false});
   model::KinematicTree robot = random_robot(seed, {.max_joints = 1, .odd_documents = false});
@@ -207,7 +207,7 @@ model::KinematicTree robot_with_limbs(std::uint64_t seed, int count) {
   return seed % 4 == 3 ? with_random_drives(std::move(robot), seed) : robot;
 }
 
-// A column of each limb at a time.
+// Solves one column of every limb at a time.
 TEST(Derivatives, OfForwardDynamicsInColumnsOfLimbs) {
   int robots = 0, without_drives = 0;
   for (std::uint64_t seed = 0; seed < kRobots / 2; ++seed) {
@@ -248,7 +248,7 @@ TEST(Derivatives, OfInverseDynamicsOfAFreeBaseInColumns) {
   EXPECT_GT(robots, kRobots / 4);
 }
 
-// Fourth-order central differences in long double of the first results, by element `k` of an input.
+// Fourth-order central differences in long double of the program's results, with respect to element `k` of an input.
 std::vector<long double> difference(
     const Program& program,
     const Arrays<long double>& state,
@@ -267,10 +267,11 @@ std::vector<long double> difference(
   return result;
 }
 
-// Of one function by all of its inputs; returns the number of blocks.
+// Checks the derivatives of one function with respect to all of its inputs; returns the number of blocks.
 int expect_derivatives(const algorithm::RobotFunction& f, std::uint64_t seed) {
   std::vector<std::string> inputs;
-  // Not by quaternions, as of the pose of a base: columns by these are turns, which tests of spherical joints compare.
+  // Quaternions, such as that of a base pose, are left out: their columns are rotations, which the tests of spherical
+  // joints compare.
   for (const symbolic::InputArray& array : f.program.inputs)
     if (array.quaternions.empty()) inputs.push_back(array.name);
   const std::optional<Program> derivatives =
@@ -302,7 +303,8 @@ int expect_derivatives(const algorithm::RobotFunction& f, std::uint64_t seed) {
   return blocks;
 }
 
-// Second derivatives of weights times forces are derivatives of their gradient; those of q and qd are symmetric.
+// Second derivatives of weights times forces are derivatives of their gradient; the blocks of q and of qd are
+// symmetric.
 TEST(Derivatives, SecondOfInverseDynamics) {
   constexpr std::uint64_t kFew = 60;
   for (std::uint64_t seed = 0; seed < kFew; ++seed) {
@@ -336,7 +338,7 @@ TEST(Derivatives, SecondOfInverseDynamics) {
   }
 }
 
-// Every function, by every input, in the cheaper mode.
+// Every function, with respect to every input, in the cheaper mode.
 TEST(Derivatives, OfEveryFunctionByEveryInput) {
   constexpr std::uint64_t kFew = 12;
   int blocks = 0;

@@ -1,4 +1,4 @@
-// Trees of robot documents, for tests that link the import.
+// Kinematic trees of robot documents, for tests that link the import.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace robcogen::numeric {
 
-// Throws with the messages where there is none.
+// Throws the messages if the document has no tree.
 inline model::KinematicTree tree_of(const std::shared_ptr<const Source>& source) {
   Diagnostics diagnostics;
   const auto read = import::robot_document(source, {}, diagnostics);
@@ -24,7 +24,7 @@ inline model::KinematicTree tree_of_text(const std::string& text) {
   return tree_of(std::make_shared<const Source>("robot.kindsl", text));
 }
 
-// Of the robot of this name in the folder of robots.
+// Returns the tree of a robot in the folder of robots.
 inline model::KinematicTree tree_of_robot(const std::filesystem::path& robots, const std::string& name) {
   const std::filesystem::path path = robots / name / (name + ".kindsl");
   std::ifstream file(path, std::ios::binary);

@@ -1,4 +1,4 @@
-// Robots with drives: all functions against the reference, and the balance of energy.
+// Robots with drives: all functions compared with the reference, and the energy balance.
 #include <gtest/gtest.h>
 
 #include "algorithm/dynamics/dynamics.h"
@@ -23,7 +23,7 @@ KinematicTree robot_of(std::uint64_t seed) {
 
 class RandomDrives : public testing::TestWithParam<int> {};
 
-// All choices and passes, passes alone, none.
+// All choices and passes, only the passes, or none.
 std::vector<std::string> steps_of(std::uint64_t seed) {
   if (seed % 3 == 0) return all_steps();
   return seed % 3 == 1 ? pass::names() : std::vector<std::string>{};
@@ -41,7 +41,7 @@ TEST_P(RandomDrives, AgreeWithTheReferenceAndWithThemselves) {
 
 INSTANTIATE_TEST_SUITE_P(Shard, RandomDrives, testing::Range(0, kShards));
 
-// ---- Forward dynamics by either method.
+// ---- Forward dynamics by both methods.
 
 TEST(DriveDynamics, MethodsAgree) {
   using algorithm::ForwardDynamicsMethod;
@@ -78,7 +78,8 @@ TEST(DriveDynamics, MethodsAgree) {
 
 // ---- Rotors.
 
-// The joints of a robot with rotors, and the rotors that they turn: full velocities are G times those of the joints.
+// Rows are the joints of a robot with rotors, followed by the rotors that they turn: G maps joint velocities to all
+// velocities.
 reference::Matrix<reference::Real> gears(const RotorBodies& bodies) {
   const int first = bodies.with_rotors.floating_base ? 6 : 0, n = first + bodies.with_rotors.dof();
   reference::Matrix<reference::Real> G(n + static_cast<int>(bodies.driven.size()), n);
@@ -98,7 +99,7 @@ reference::Motion<reference::Real> motion_of_bodies(
   return {joints(m.q), joints(m.qd), joints(m.qdd), m.base_velocity, m.base_acceleration};
 }
 
-// A rotor adds what a body of its own does that turns with its joint: forces are G' times those of the bodies.
+// A rotor acts like a body of its own that turns with its joint: forces are G' times those of the bodies.
 TEST(Rotors, AreAsBodiesThatTurnWithTheirJoints) {
   using reference::Real;
   RobotOptions options;
@@ -152,8 +153,8 @@ TEST(Rotors, AreAsBodiesThatTurnWithTheirJoints) {
 
 // ---- Energy.
 
-// The power of the joint forces goes into the energy of the robot and into the passive forces: dE/dt = tau qd - b qd^2
-// where these are damping alone.
+// The power of the joint forces goes into the energy of the robot and into the passive forces; where these are damping
+// only, dE/dt = tau qd - b qd^2.
 TEST(DriveDynamics, BalanceEnergy) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const KinematicTree robot = robot_of(seed);

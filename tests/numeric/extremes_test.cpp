@@ -1,4 +1,4 @@
-// The smallest and the largest robots, and mass properties at the limits.
+// The smallest and the largest robots, and mass properties at their limits.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"
@@ -52,7 +52,7 @@ TEST(Extremes, StarOf100) {
   for (const bool floating : {false, true}) expect_agreement(with_joints(100, floating, Shape::star), 1);
 }
 
-// A rod and a plate: one principal moment zero, or equal to the sum of the others.
+// A rod and a plate: one principal moment is zero, or equals the sum of the others.
 TEST(Extremes, ThinBodies) {
   for (const bool floating : {false, true}) {
     KinematicTree robot = with_joints(4, floating);
@@ -70,7 +70,7 @@ TEST(Extremes, ThinBodies) {
   }
 }
 
-// Six orders of magnitude between neighbours.
+// Neighbouring links differ by six orders of magnitude.
 TEST(Extremes, LightAndHeavyLinks) {
   for (const bool floating : {false, true}) {
     KinematicTree robot = with_joints(6, floating);
@@ -85,7 +85,7 @@ TEST(Extremes, LightAndHeavyLinks) {
   }
 }
 
-// A massless link between two joints, as descriptions of universal joints have.
+// A massless link between two joints, as in descriptions of universal joints.
 TEST(Extremes, MasslessLinkInBetween) {
   for (const bool floating : {false, true}) {
     KinematicTree robot = with_joints(2, floating);
@@ -95,7 +95,7 @@ TEST(Extremes, MasslessLinkInBetween) {
   }
 }
 
-// Hundreds of metres from the base: absolute positions are large, levers are not.
+// A robot hundreds of metres from the base: absolute positions are large, lever arms are not.
 TEST(Extremes, FarFromTheBase) {
   KinematicTree robot = with_joints(5, false);
   robot.joints[0].placement.translation = {Quantity(300.0), Quantity(-200.0), Quantity(100.0)};

@@ -1,4 +1,5 @@
-// Regressors of random robots: against the reference, and base parameters against the numerical rank of many states.
+// Regressors of random robots, compared with the reference; base parameters, compared with the numerical rank over many
+// states.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -43,7 +44,7 @@ Eigen::MatrixXd matrix(const Program& program, const Arrays<double>& inputs) {
       values.data(), program.outputs.front().rows, program.outputs.front().columns);
 }
 
-// The matrices of many states, one below the other. Gravity is the standard one in axes of a base that turns.
+// Returns the matrices of many random states, stacked. Gravity, where it is an input, is random, too.
 Eigen::MatrixXd stacked(const Program& program, std::uint64_t seed) {
   const int rows = program.outputs.front().rows, columns = program.outputs.front().columns;
   const int states = 3 * columns / std::max(rows, 1) + 10;
@@ -62,7 +63,8 @@ Eigen::MatrixXd stacked(const Program& program, std::uint64_t seed) {
   return all;
 }
 
-// Columns are of one size, so that lengths in small units count as much; those that are rounding alone are zero.
+// Columns are normalised, so that lengths in small units count as much as others; columns that are rounding noise
+// become zero.
 int rank(Eigen::MatrixXd m) {
   const double largest = m.colwise().norm().maxCoeff();
   for (Eigen::Index k = 0; k < m.cols(); ++k) {
@@ -74,7 +76,7 @@ int rank(Eigen::MatrixXd m) {
   return static_cast<int>(qr.rank());
 }
 
-// Under standard gravity with a fixed base, and under any.
+// Checks standard gravity with a fixed base, and arbitrary gravity.
 void expect_minimal(const KinematicTree& robot, std::uint64_t seed) {
   for (const Loads loads : {algorithm::default_loads(robot), Loads::gravity}) {
     const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f", loads), seed);
@@ -102,7 +104,7 @@ KinematicTree with_balls(std::uint64_t seed, bool has_drives) {
   }
 }
 
-// A spherical joint does not feel where along any axis the mass of its child is: nine of ten are felt.
+// Of the ten parameters of a spherical joint's child, all but the mass have an effect of their own.
 TEST(BaseParameters, OfRobotsWithSphericalJoints) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     expect_minimal(with_balls(seed, false), seed);
@@ -113,7 +115,7 @@ TEST(BaseParameters, OfRobotsWithSphericalJoints) {
   EXPECT_EQ(algorithm::base_parameter_names(leg, algorithm::default_loads(leg)).size(), 9U + 7U + 9U);
 }
 
-// Every second joint is helical, as far as it is not prismatic.
+// Makes every second joint helical unless it is prismatic.
 KinematicTree with_screws(KinematicTree robot, std::uint64_t seed) {
   for (std::size_t j = seed % 2; j < robot.joints.size(); j += 2) {
     if (robot.joints[j].type == model::JointType::prismatic) continue;
@@ -123,7 +125,8 @@ KinematicTree with_screws(KinematicTree robot, std::uint64_t seed) {
   return robot;
 }
 
-// All but the moment of inertia about its axis is felt of the child of a helical joint.
+// Of the ten parameters of a helical joint's child, all but the moment of inertia about its axis have an effect of
+// their own.
 TEST(BaseParameters, OfRobotsWithScrews) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     expect_minimal(with_screws(random_robot(seed, {.max_joints = 6}), seed), seed);
@@ -131,7 +134,7 @@ TEST(BaseParameters, OfRobotsWithScrews) {
   }
 }
 
-// Bodies that only slide, axes that are parallel to gravity or to each other, and what follows.
+// Bodies that only translate, axes parallel to gravity or to each other, and combinations.
 TEST(BaseParameters, OfSpecialRobots) {
   const auto special = [](std::uint64_t seed) {
     KinematicTree robot = random_robot(seed, {.min_joints = 2, .max_joints = 6, .shape = Shape::chain});
@@ -167,8 +170,9 @@ KinematicTree rx90() {
   return robot_of("Robot rx90 {\nRobotBase base { children { L1 via J1 } }\n" + links + joints + "}\n", "rx90");
 }
 
-// An arm of n revolute joints, the first one vertical, the second one not: one parameter, then seven a link. Where
-// gravity may have any direction, the first link has three: that a centre of mass beside the axis is felt, too.
+// An arm of n revolute joints, the first one vertical, the second one not, has one base parameter and then seven for
+// each further link. Where gravity may have any direction, the first link has three: a centre of mass off the axis has
+// an effect, too.
 TEST(BaseParameters, OfKnownRobots) {
   for (const auto& [robot, count] :
        {std::pair{document("puma560"), 36}, std::pair{document("iiwa14"), 43}, std::pair{rx90(), 36}}) {
@@ -180,8 +184,8 @@ TEST(BaseParameters, OfKnownRobots) {
   }
 }
 
-// With the inertia of drives, of which those of the first two joints are felt together with the links, the RX-90 has 40
-// (Khalil and Dombre 2002).
+// With the inertia of the drives the RX-90 has 40 base parameters; the inertias of the first two drives are
+// identifiable only together with the links (Khalil and Dombre 2002).
 TEST(BaseParameters, WithThoseOfDrives) {
   const KinematicTree robot = rx90();
   const Eigen::MatrixXd Y = stacked(algorithm::base_regressor(robot, "f", Loads::standard_gravity), 1);
@@ -192,13 +196,13 @@ TEST(BaseParameters, WithThoseOfDrives) {
   EXPECT_EQ(rank(all), 40);
 }
 
-// The first link of an arm on a vertical axis is felt by its moment of inertia about that axis alone.
+// The first link of an arm on a vertical axis has an effect only through its moment of inertia about that axis.
 TEST(BaseParameters, SpeakOfLinks) {
   const std::vector<std::string> names = algorithm::base_parameter_names(document("puma560"), Loads::standard_gravity);
   EXPECT_EQ(names[0].rfind("link1_Izz", 0), 0U) << names[0];
 }
 
-// What was measured gives the base parameters back.
+// Least squares on simulated measurements recovers the base parameters.
 TEST(BaseParameters, AreIdentified) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const KinematicTree robot = random_robot(seed, {.max_joints = 6});
@@ -273,7 +277,7 @@ KinematicTree chain(int joints) {
   return robot_of("Robot chain {\nRobotBase base { children { L1 via J1 } }\n" + links + placements + "}\n", "chain");
 }
 
-// 40 joints: 16,000 elements.
+// 40 joints give 16,000 elements.
 TEST(Regressors, HaveALargestSize) {
   const std::vector<std::string> limited = {"regressor", "base_regressor", "slotine_li_regressor"};
   for (const std::string& group : limited) {

@@ -17,7 +17,7 @@ using model::KinematicTree;
 using model::Placement;
 using model::Quantity;
 
-// As a document has it: a decimal.
+// Returns a value as a document writes it: as a decimal.
 Quantity decimal(double value) {
   return Quantity(*Number::parse(print_double(value)));
 }
@@ -59,13 +59,13 @@ Placement placement(Dice& dice, double scale) {
   return p;
 }
 
-// Noise of an exporter, or nothing.
+// Noise of an exporter, or zero.
 double crumb(Dice& dice) {
   constexpr std::array kCrumbs = {0.0, 3e-18, -3.469446951953614e-18, 1e-12, -4e-12, 0.0};
   return kCrumbs[static_cast<std::size_t>(dice.below(6))];
 }
 
-// An ellipsoid about its centre of mass, which lies on an axis of the link, in a plane, or anywhere.
+// An ellipsoid about its centre of mass, which lies on an axis of the link, in a coordinate plane, or anywhere.
 Inertia body(Dice& dice, double mass, double scale) {
   std::array<double, 3> com{}, half{};
   for (double& x : com) x = dice.chance(0.5) ? crumb(dice) * scale : scale * dice.between(-0.3, 0.3);
@@ -89,7 +89,7 @@ Inertia body(Dice& dice, double mass, double scale) {
   return result;
 }
 
-// That of the joint, as its parent or its child has it, an axis of the carrier, or any; with noise, and of length 1.
+// The joint axis as seen from its parent or child, an axis of the carrier, or any axis; with noise and not normalised.
 std::array<double, 3> noisy_axis(Dice& dice, const Joint& joint, bool on_child) {
   std::array<double, 3> axis{};
   switch (dice.below(3)) {
@@ -117,7 +117,7 @@ KinematicTree with_ill_rotors(KinematicTree robot, std::uint64_t seed) {
     int carrier = dice.chance(0.6) ? joint.parent : dice.below(static_cast<int>(robot.links.size()));
     const model::Link& link = robot.links[static_cast<std::size_t>(carrier)];
     if (!link.inertia) carrier = joint.child;
-    // A share of what the carrier has, as the spin is part of that.
+    // A fraction of the carrier's inertia, because the carrier's inertia includes the spin inertia.
     const Inertia& body = *robot.links[static_cast<std::size_t>(carrier)].inertia;
     const double spin = 1e-3 * model::evaluate(body.ixx);
     model::Rotor& rotor = joint.drive.rotor.emplace();
@@ -136,7 +136,7 @@ KinematicTree ill_robot(std::uint64_t seed) {
   robot.name = "ill_" + std::to_string(seed);
   Dice screws(seed + 0x2545f4914f6cdd1d);
   robot.floating_base = dice.chance(0.5);
-  // Decades to either side of metres and kilogrammes.
+  // Sizes and masses span this many decades on either side of metres and kilogrammes.
   const int decades = dice.chance(0.7) ? 0 : 1 + dice.below(6);
   const auto scale = [&] { return power_of_ten(dice.below(2 * decades + 1) - decades); };
   const double revolute = dice.chance(0.5) ? 1.0 : dice.unit();

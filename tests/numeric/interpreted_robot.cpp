@@ -22,7 +22,7 @@ Vector<double> vector(const std::vector<double>& values) {
   return v;
 }
 
-// Functions of frames that the reference has checks of.
+// Returns the frame quantity of a role, or nullopt if the reference has no check of it.
 std::optional<reflection::FrameQuantity> frame_quantity(symbolic::Role role) {
   using reflection::FrameQuantity;
   switch (role) {
@@ -100,7 +100,7 @@ symbolic::Arrays<double> InterpretedRobot::run(
   const std::string gravity_only = floating_ ? "" : "_gravity";
   std::string name = function;
   if (arguments.gravity != nullptr) name = function + gravity_only;
-  // Base parameters are others where gravity is an argument.
+  // With gravity as an argument the base parameters are different ones.
   if (arguments.gravity != nullptr && programs_.contains(function + "_any_gravity")) name = function + "_any_gravity";
   if (arguments.external != nullptr) name = function + "_external";
   inputs["gravity"] = arguments.gravity != nullptr ? arguments.gravity->values() : std::vector<double>{0, 0, -9.81};
@@ -202,7 +202,7 @@ reference::Derivatives InterpretedRobot::derivatives(
     const std::string& base,
     const std::string& joints) const {
   const int rows = floating_ ? 6 + dof_ : dof_;
-  // No columns where the function has none.
+  // A block that the function lacks has no columns.
   const auto block = [&](const std::string& array) {
     const auto found = results.find(array);
     return found == results.end() ? Matrix<double>(rows, 0) : matrix(found->second, rows);
@@ -373,7 +373,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inverse_dynamics_derivatives(robot, c, checks);
     check_free_inverse_dynamics_derivatives(robot, c, checks);
     check_gravity_forces_derivative(robot, c, checks);
-    // Large robots do not have these.
+    // Large robots lack these derivatives.
     if (robot.programs().contains("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
     check_center_of_mass(robot, c, checks);
     check_centroidal_momentum(robot, c, checks);

@@ -1,4 +1,4 @@
-// The programs of a robot, run by the interpreter, as the subject of checks (robcogen/reference/subject.h).
+// The programs of a robot, run in the interpreter, as the subject of checks (robcogen/reference/subject.h).
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@
 
 namespace robcogen::numeric {
 
-// The choices of a formulation, then the passes.
+// The names of the formulation choices, followed by those of the passes.
 const std::vector<std::string>& all_steps();
 
 class InterpretedRobot {
@@ -29,8 +29,8 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces the functions of these groups, in these link frames, and optimises them by `steps`. Without groups: all, but
-  // regressors, whose matrices are the largest, of robots with few joints only.
+  // Traces the functions of these groups in these link frames, and optimises them by `steps`. Without groups, traces
+  // all of them, except the regressors of robots with many joints: their matrices are the largest.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
@@ -43,7 +43,7 @@ class InterpretedRobot {
   reflection::Robot tables() const { return tables_.robot(); }
   const std::map<std::string, symbolic::Program>& programs() const { return programs_; }
 
-  // Takes the place of the program of that name: another form of the same.
+  // Replaces the program of that name by another form of the same function.
   void replace(symbolic::Program program) { programs_.at(program.name) = std::move(program); }
 
   // The members that checks call: see CompiledRobot.
@@ -91,7 +91,7 @@ class InterpretedRobot {
   reference::Matrix<double> jacobian(int index, const Vector<double>& q) const;
   reference::Matrix<double> frame_function(int index, const State& m) const;
 
-  // Runs the overload that takes these optional arguments; `inputs` beyond those of the program are left out.
+  // Runs the overload that takes these optional arguments; ignores `inputs` that the program does not have.
   symbolic::Arrays<double> run(
       const std::string& function,
       const reference::Arguments& arguments,
@@ -99,7 +99,7 @@ class InterpretedRobot {
 
  private:
   symbolic::Arrays<double> inputs_of(const State& m) const;
-  // Of a result of the base and of the joints.
+  // Combines the derivatives of the result of the base and of the result of the joints.
   reference::Derivatives derivatives(
       const symbolic::Arrays<double>& results,
       const std::string& base,
@@ -114,7 +114,7 @@ class InterpretedRobot {
   std::map<std::string, symbolic::Program> programs_;  // by their unique names
 };
 
-// All checks of all samples: P1 to P5 of the dynamics and kinematics, and all results against the reference.
+// Runs all checks on all samples: P1 to P5 of the dynamics and kinematics, and all results against the reference.
 reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, int samples);
 
 }  // namespace robcogen::numeric

@@ -1,5 +1,5 @@
-// P6: other descriptions of one machine are the same machine. Link frames moved, declarations reordered, names changed,
-// the mirror image, a joint welded: forces, inertias and accelerations are the same.
+// P6: different descriptions of one machine give the same forces, inertias and accelerations. Link frames are moved,
+// declarations reordered, names changed, the robot is mirrored, or a joint is welded.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,16 +21,17 @@ using reference::Real;
 using reference::Sample;
 using reference::Vector;
 
-// Rewriting rounds placements and inertias to doubles once: a few times the rounding of a program. Relative to the
-// terms that results are sums of, for accelerations through the inverse of H.
+// Rewriting rounds placements and inertias to doubles once, which costs a few times the rounding of a program. Errors
+// are relative to the terms that the results sum; for accelerations, to those terms multiplied by the inverse of H.
 constexpr Real kSame = 1e-11L;
 
 InterpretedRobot programs_of(const KinematicTree& robot) {
   return InterpretedRobot(robot, {}, {});
 }
 
-// The same state in the words of another description: joint k of the other robot is joint joints[k], its positive sense
-// is that of this one times signs[k]; links likewise; base vectors and link wrenches by 6 x 6 transforms.
+// Translates a state to another description. Joint k of the other robot is joint joints[k] of this one, and its
+// position is multiplied by signs[k]. Link k of the other robot is links[k] of this one. Base vectors and link wrenches
+// are mapped by 6 x 6 transforms.
 struct Translation {
   std::vector<int> joints;
   std::vector<double> signs;
@@ -72,13 +73,13 @@ Sample in(const Translation& t, const Sample& s) {
   return result;
 }
 
-// (base, joints) or joints, in the other description's words.
+// Translates a vector of the joints, or of the base and the joints.
 Vector<double> in(const Translation& t, bool floating, const Matrix<double>& base, const Vector<double>& v) {
   if (!floating) return joints_in(t, v);
   return stacked(base * v.head(6), joints_in(t, v.tail(v.rows() - 6)));
 }
 
-// Empty when the two robots agree on a random state, else the difference.
+// Returns an empty string if the two robots agree in a random state, otherwise the differences.
 std::string difference(
     const KinematicTree& robot,
     const KinematicTree& other,
@@ -97,7 +98,7 @@ std::string difference(
   std::string text;
   const auto compare = [&](const char* name, const Vector<double>& mine, const Vector<double>& theirs,
                            const Matrix<double>& base, const Vector<Real>& terms) {
-    // Terms have no sign and are the same for all axes of the base.
+    // The sizes of terms have no sign, and are the same for all axes of the base.
     Translation sizes = t;
     sizes.signs.assign(t.signs.size(), 1.0);
     const Vector<double> sized = in(sizes, floating, Matrix<double>::identity(6), terms.cast<double>());
@@ -121,7 +122,7 @@ std::string difference(
       reference::expected_accelerations(c, tau, loads).terms);
   const Matrix<double> H = a.joint_space_inertia(here.motion.q), their_H = b.joint_space_inertia(there.motion.q);
   for (int k = 0; k < robot.dof(); ++k) {
-    // The force of a unit acceleration.
+    // A column is the force of a unit acceleration.
     reference::Motion<double> unit = reference::at_rest(here.motion.q);
     unit.qdd(k) = 1;
     const int first = floating ? 6 : 0;

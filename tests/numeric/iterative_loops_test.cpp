@@ -1,5 +1,5 @@
-// Robots with loops that no formulas close: in space, with frames that slide or are welded, and loops that close
-// together.
+// Robots whose loops no formula closes: spatial loops, loops with frames that slide or are welded, and loops that must
+// be closed together.
 #include <gtest/gtest.h>
 
 #include "algorithm/kinematics/loop_functions.h"
@@ -44,7 +44,7 @@ TEST_P(IterativeLoops, AgreeWithTheReference) {
   }
 }
 
-// From where the joints that follow were a little before.
+// The iteration starts with followers slightly off their closed positions.
 TEST_P(IterativeLoops, CloseInAFewSteps) {
   const model::KinematicTree tree = tree_of_text(GetParam().document);
   const InterpretedRobot robot(tree, {}, all_steps(), {}, {}, {"transforms"});
@@ -65,7 +65,7 @@ TEST_P(IterativeLoops, CloseInAFewSteps) {
   }
 }
 
-// By differences of sixth order in long double, through positions that are closed again.
+// Compares with sixth-order differences in long double, through positions whose loops are closed again.
 TEST_P(IterativeLoops, HaveDerivativesAlongClosedPositions) {
   constexpr Real kStep = 2e-4L, kSame = 1e-9L;
   model::KinematicTree tree = tree_of_text(GetParam().document);
@@ -132,7 +132,7 @@ TEST_P(IterativeLoops, HaveDerivativesAlongClosedPositions) {
   for (const std::string of : {"d_q", "d_qd", "d_qdd"}) expect_derivative(gradient, of, second, of + "_q");
 }
 
-// Where no position of the joints that follow closes the loops, they are not numbers.
+// If no position of the followers closes the loops, their positions are NaN.
 TEST(IterativeLoops, SayThatTheyDoNotClose) {
   const model::KinematicTree tree = tree_of_text(iterative_robots()[3].document);
   const InterpretedRobot robot(tree, {}, {}, {}, {}, {"transforms"});
@@ -144,7 +144,7 @@ TEST(IterativeLoops, SayThatTheyDoNotClose) {
   for (std::size_t k = 3; k < 6; ++k) EXPECT_TRUE(std::isnan(found[k])) << found[k];
 }
 
-// Axes that are off by rounding: the same joints follow, and go where they went.
+// Axes that are off by rounding: the same joints follow, and they reach the same positions.
 TEST(IterativeLoops, DoNotMindRoundingNoise) {
   const std::string text = cut_rod("independent { a }");
   std::string noisy = text;
@@ -164,7 +164,7 @@ TEST(IterativeLoops, DoNotMindRoundingNoise) {
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found[k], wanted[k], 1e-9) << k;
 }
 
-// Half a turn has no sine, as no turn.
+// The sine of half a turn is zero, too, like that of no turn.
 TEST(IterativeLoops, AreNotClosedTheOtherWayRound) {
   Diagnostics diagnostics;
   const std::string text = cut_rod("independent { a }", "PI, PI/2.0, 0.0");

@@ -15,8 +15,8 @@ std::string at(const std::string& translation, const std::string& rotation = "0.
   return " { translation = (" + translation + ") rotation = (" + rotation + ") } ";
 }
 
-// A four-bar in the plane of x and y, cut in the middle of its rod.
-// A crank and a rocker about axes that are not parallel, and a rod on a universal joint that ends in a ball.
+// A crank and a rocker about axes that are not parallel. The rod is attached to the crank by a universal joint and to
+// the rocker by a ball joint.
 std::string spatial_four_bar(const std::string& leaders) {
   return "Robot Spatial { RobotBase base { children { crank via a rocker via c } } link crank { id = 1 " +
          inertia(1, 0.1, 0.02, 0.1) + "children { rod via u } } link rod { id = 2 " + inertia(0.5, 0.2, 0.01, 0) +
@@ -28,7 +28,7 @@ std::string spatial_four_bar(const std::string& leaders) {
          "}";
 }
 
-// Three arms carry a platform by rods of a fixed length. The platform slides along three axes, or turns, too.
+// Three arms carry a platform by rods of fixed length. The platform slides along three axes.
 std::string delta(const std::string& leaders) {
   std::string arms, frames, joints, loops, children;
   for (int k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ std::string delta(const std::string& leaders) {
          at("0.0, 0.0, 0.0", "0.0, -PI/2.0, -PI/2.0") + "} " + joints + "loops { " + loops + "} " + leaders + "}";
 }
 
-// A slide across a crank: the frame of the crank's pin slides along the other link, and both turn together.
+// A slotted lever: a block on the crank's pin slides along the lever and turns with it.
 std::string slotted(const std::string& leaders) {
   return "Robot Slot { RobotBase base floating { " + inertia(3, 0, 0.1, 0) +
          "children { crank via a lever via c } } link crank { id = 1 " + inertia(1, 0.1, 0.02, 0.1) +

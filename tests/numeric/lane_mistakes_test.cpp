@@ -1,4 +1,4 @@
-// Programs in lanes with a mistake: the comparison with those without lanes finds it.
+// Programs in lanes with a deliberate mistake: the comparison with the programs without lanes finds it.
 #include <gtest/gtest.h>
 
 #include "../unit/model/descriptions.h"
@@ -14,7 +14,7 @@ namespace {
 using model::KinematicTree;
 using symbolic::Program;
 
-// Two legs of two joints on a fixed base, with nothing in common but their topology.
+// Two legs of two joints on a fixed base that share only their topology.
 KinematicTree two_legs() {
   model::Description d;
   d.name = "two_legs";
@@ -42,8 +42,8 @@ KinematicTree two_legs() {
   return *tree;
 }
 
-// The comparison finds each single swap of two lanes: of numbers, of inputs, of a lane that is read. (In inverse
-// dynamics, where all numbers count: a mass on the axis of a knee, for one, has no part in bias forces.)
+// The comparison finds each single swap of two lanes: of numbers, of inputs, or of a lane that a statement reads. In
+// these functions all numbers count, unlike in bias forces, where a mass on the axis of a knee has no effect.
 TEST(LaneMistakes, SwappedLanesAreFound) {
   const KinematicTree tree = two_legs();
   int swapped = 0;
@@ -85,7 +85,7 @@ TEST(LaneMistakes, SwappedLanesAreFound) {
   EXPECT_GT(swapped, 100);
 }
 
-// And each sign of a mirrored limb that is lost.
+// The comparison finds each lost sign of a mirrored limb.
 TEST(LaneMistakes, LostSignsAreFound) {
   const KinematicTree tree = document("quadruped_fixed");
   int lost = 0;

@@ -25,9 +25,9 @@ using model::KinematicTree;
 using model::Quantity;
 using symbolic::Program;
 
-// k limbs of one topology on a trunk, that may be one joint away from the base. Numbers are any, zero, or multiples of
-// a right angle; limbs have numbers of their own (other zeros, too), those of the first with other signs, or these with
-// zeros and ones in other places.
+// A robot with k limbs of one topology on a trunk, which may be one joint away from the base. Numbers are arbitrary,
+// zero, or multiples of a right angle. Limbs have numbers of their own (with zeros in other places, too), those of the
+// first limb with other signs, or these with zeros and ones in other places.
 class RobotsWithLimbs {
  public:
   explicit RobotsWithLimbs(std::uint64_t seed, bool has_roundings = false)
@@ -101,7 +101,7 @@ class RobotsWithLimbs {
     return *tree;
   }
 
-  // In each limb a joint follows another one, and one has a rotor on its parent.
+  // In each limb one joint follows another, and one joint has a rotor that its parent carries.
   KinematicTree make_coupled() {
     KinematicTree tree;
     do tree = make();
@@ -114,7 +114,7 @@ class RobotsWithLimbs {
       return *tree.find_joint("joint_limb" + std::to_string(limb) + "_" + std::to_string(k));
     };
     for (int limb = 0; limb < limbs_; ++limb) {
-      // Whole factors fold, and are the same but for their signs; others have numbers of their own.
+      // Integer factors fold, and are the same up to their signs; otherwise each limb has a factor of its own.
       const double sign = pick(2) == 0 ? 1 : -1, own = factor == 0.7 ? uniform(0.6, 0.8) : factor;
       model::Coupling coupling;
       coupling.joint = joint_of(limb, follower);
@@ -131,8 +131,8 @@ class RobotsWithLimbs {
 
  private:
   std::mt19937 random_;
-  std::mt19937 roundings_{1};  // apart: other numbers do not depend on it
-  bool has_roundings_;         // of angles, in limbs with other zeros
+  std::mt19937 roundings_{1};  // a separate engine, so that other numbers do not depend on it
+  bool has_roundings_;         // of angles, in limbs with zeros in other places
   int limbs_ = 0, length_ = 0;
 
   int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
@@ -151,7 +151,7 @@ class RobotsWithLimbs {
       if (pick(3) == 0) q = model::test::number(value);
   }
 
-  // As a document writes PI with a dozen digits.
+  // Rounds an angle as a document does that writes PI with a dozen digits.
   void turn_a_little(std::array<model::Quantity, 3>& rotation) {
     model::Quantity& q = rotation[roundings_() % 3];
     if (roundings_() % 3 == 0) q = model::test::number(q.number().value() + 1e-11);
@@ -175,7 +175,8 @@ class RobotsWithLimbs {
   }
 };
 
-// Whether blocks and fills are results of the program, each element at most once.
+// Returns an empty string if blocks and fills are results of the program, each element at most once; otherwise the
+// fault.
 std::string fault_of_stores(const Program& p) {
   const symbolic::Stores stores = symbolic::stores(p);
   std::vector<std::vector<bool>> taken;
@@ -203,11 +204,11 @@ std::string fault_of_stores(const Program& p) {
 
 struct Tally {
   int programs = 0, with_lanes = 0;
-  int congruent = 0;  // programs of limbs that fold in the same way, when there are others
+  int congruent = 0;  // programs whose limbs are made to fold in the same way, where they differ from the others
 };
 
-// The part of a program in lanes with given sines and cosines: it computes the same, to the last bit, for it
-// does the same.
+// Checks the part of a program in lanes that takes given sines and cosines: its results are the same to the last bit,
+// because it does the same operations.
 void expect_same_of_given_sines(const KinematicTree& tree, const Program& program, const Program& packed) {
   std::vector<pass::Position> joints;
   for (const int j : tree.coordinates()) {
@@ -218,7 +219,7 @@ void expect_same_of_given_sines(const KinematicTree& tree, const Program& progra
   if (!split.parts[0]) return;
   const Program& core = *split.parts[0]->core_in_lanes;
   ASSERT_EQ(symbolic::verify(core), "") << program.name;
-  // A joint that follows others by a factor has a sine of its own.
+  // A joint that follows another one by a factor has a sine of its own.
   const bool has_others = symbolic::count(split.parts[0]->core).sincos > 0;
   EXPECT_EQ(symbolic::count(core).sincos > 0, has_others) << program.name;
   EXPECT_TRUE(!has_others || !tree.couplings.empty()) << program.name;
@@ -321,7 +322,7 @@ TEST(Lanes, OfCoupledLimbsComputeTheSame) {
   EXPECT_GT(tally.with_lanes, tally.programs / 2);
 }
 
-// The right hand of the humanoid is turned by a rounding: its arms share lanes at the price of a few products.
+// The humanoid's right hand is rotated by a rounding error: its arms still share lanes at the cost of a few products.
 TEST(Lanes, OfAHandThatIsTurnedByARoundingTakeLittleMore) {
   const KinematicTree exact = document("humanoid");
   KinematicTree rounded = exact;
@@ -347,7 +348,7 @@ TEST(Lanes, OfAHandThatIsTurnedByARoundingTakeLittleMore) {
   }
 }
 
-// Legs whose ankles follow their knees share lanes as those do in which all joints are free.
+// Legs whose knees follow their hips share lanes as legs do whose joints are all free.
 TEST(Lanes, OfCoupledLegsTakeHalfTheInstructions) {
   KinematicTree tree = document("quadruped");
   for (const char* leg : {"LF", "RF", "LH", "RH"}) {
@@ -367,7 +368,8 @@ TEST(Lanes, OfCoupledLegsTakeHalfTheInstructions) {
   }
 }
 
-// The programs of two legs one of which has zeros where the other has none, and those of two legs without zeros.
+// Compares the programs of two legs, one of which has zeros where the other has none, with those of two legs without
+// zeros.
 TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   const auto robot = [](bool has_zeros) {
     model::Description d;
@@ -417,8 +419,8 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   }
 }
 
-// A quadruped of the field, whose first leg has a centre of mass on an axis that the other legs have it beside: all its
-// functions in lanes, against the reference.
+// A published quadruped whose first leg has a centre of mass on an axis, while those of the other legs are off it: all
+// its functions in lanes, compared with the reference.
 TEST(Lanes, OfLegsWithOtherZerosAgreeWithTheReference) {
   const std::string file = std::string(ROBCOGEN_CORPUS_DIR) +
                            "/DrawZeroPoint_control-toolbox__ct_rbd_test_models_testhyq_description_test_hyq.kindsl";

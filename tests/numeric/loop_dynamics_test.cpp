@@ -1,5 +1,5 @@
-// Dynamics of all joints where loops are cut and held by forces: as the reduced dynamics where loops are closed, and as
-// dense equations of the tree with constraints where they are open.
+// Dynamics of all joints with the loops cut and held by forces: compared with the reduced dynamics where the loops are
+// closed, and with dense equations of the tree with constraints where they are open.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using reference::Vector;
 
 const char* const kFunction = "loop_constrained_forward_dynamics";
 
-// The base first, where it floats.
+// The base comes first, if it floats.
 Vector<double> accelerations_of(const symbolic::Arrays<double>& results) {
   std::vector<double> all;
   if (const auto base = results.find("base_acceleration"); base != results.end()) all = base->second;
@@ -50,7 +50,7 @@ class LoopDynamics {
         engine_(seed),
         closed_(draw(engine_, tables_, sample_)) {}
 
-  // Joints that follow have no motors.
+  // Followers have no motors.
   void expect_reduced_dynamics() {
     constexpr double kSame = 1e-10, kSameForces = 1e-9;
     reference::Motion<double> m = sample_.motion;
@@ -74,7 +74,7 @@ class LoopDynamics {
     expect_same(found.at("loop_forces"), robot_.run("loop_forces", arguments, inputs).at("forces"), kSameForces);
   }
 
-  // In any state near closed ones, velocities of which need not keep loops as they are.
+  // Any state near closed ones; its velocities need not keep the loops closed.
   void expect_dense_solution() {
     constexpr double kSame = 1e-9;
     const int base = tables_.floating_base ? 6 : 0, n = tables_.joints.size;
@@ -107,7 +107,7 @@ class LoopDynamics {
     const Vector<Real> v = base > 0 ? reference::stacked(Vector<Real>(6), all.qd) : all.qd;
     Vector<Real> wanted = -change_of_rates(tree_, tables_, all.q, all.qd);
     wanted = wanted - static_cast<Real>(velocity_gain) * (open.K * v) - static_cast<Real>(position_gain) * open.error;
-    // Rows that say the same as others are held by a trace of compliance.
+    // A tiny compliance regularises redundant rows.
     Matrix<Real> W = open.K * solve(H, transpose(open.K));
     const Real trace = reference::largest(W);
     for (int k = 0; k < W.rows(); ++k) W(k, k) += 1e-16L * trace;
@@ -116,7 +116,7 @@ class LoopDynamics {
     const Real size = 1 + reference::largest(expected);
     EXPECT_LT(static_cast<double>(reference::largest(found - expected) / size), kSame);
 
-    // The forces make this motion.
+    // The loop forces produce this motion.
     std::size_t next = 0;
     for (int loop = 0; loop < tables_.loops.size; ++loop)
       push(tree_, tables_, all.q, loop, results.at("loop_forces"), next, loads.external);
@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("achilles_leg", "ankle", "delta", "five_bar", "four_bar_leg", "palletiser"),
     [](const auto& robot) { return robot.param; });
 
-// Where all links are on one line the rows say the same.
+// When all links are on one line, rows of the loop are redundant.
 TEST(LoopDynamics, PassStretchedPositionsWithCompliance) {
   const Ring ring(4, 1, Ring::Shape::flat);
   const InterpretedRobot robot(
@@ -221,7 +221,7 @@ TEST(LoopDynamics, PassStretchedPositionsWithCompliance) {
   };
   for (const double a : accelerations(1e-8)) EXPECT_TRUE(std::isfinite(a)) << a;
   expect_same(accelerations(1e-8), accelerations(1e-6), 1e-3);
-  // What yields to any force is not held.
+  // A loop that yields to any force is not held.
   inputs["compliance"] = {1e12};
   const std::vector<double> forces = robot.run(kFunction, {}, inputs).at("loop_forces");
   for (const double force : forces) EXPECT_NEAR(force, 0.0, 1e-9);
@@ -254,7 +254,7 @@ TEST(LoopDynamics, CloseLoopsOverTime) {
   };
   const double start = gap();
   for (int step = 0; step < 1000; ++step) runge_kutta_step(1e-3, acceleration, q, qd);
-  // Of (1 + 20 t) exp(-20 t).
+  // The gap decays as (1 + 20 t) exp(-20 t).
   EXPECT_GT(start, 1e-3);
   EXPECT_LT(gap(), start * 1e-6);
 }

@@ -1,4 +1,4 @@
-// Robots with loops over time: without dissipation they keep their energy.
+// Robots with loops over time: without dissipation they conserve energy.
 #include <gtest/gtest.h>
 
 #include "document_tree.h"
@@ -16,19 +16,19 @@ const Vector<double> kGravity{0, 0, -9.81};
 constexpr double kDuration = 10.0;  // s
 constexpr double kDrift = 1e-8;     // relative to the energy that is exchanged
 
-// A robot of the folder robots, held near q = 0, where its loops are open, by springs on its coordinates.
+// A robot of the folder `robots`. Springs on its coordinates hold it near q = 0, where its loops are not flat.
 struct Held {
   std::string name;
   Vector<double> stiffness;  // N m/rad, N/m
   Vector<double> velocity;   // at the start
-  int steps;                 // a second
+  int steps;                 // per second
 };
 
 void PrintTo(const Held& held, std::ostream* out) {
   *out << held.name;
 }
 
-// Without damping and friction.
+// Returns the robot without damping and friction.
 model::KinematicTree conservative(const std::string& name) {
   model::KinematicTree tree = tree_of_robot(ROBCOGEN_ROBOTS_DIR, name);
   tree.uses_passive_forces = false;
@@ -48,7 +48,7 @@ class HeldMotion {
         1.0 / held_.steps, [&](const auto& q, const auto& qd) { return acceleration(q, qd); }, q_, qd_);
   }
 
-  // By the reference, which closes the loops by Newton's method.
+  // The reference computes the energies; it closes the loops by Newton's method.
   double kinetic() const {
     Motion<double> motion = moving();
     const reference::AtLoops closed(tables(), motion);
@@ -97,7 +97,7 @@ TEST_P(LoopMotions, KeepTheirEnergy) {
     const double now = motion.kinetic();
     least = std::min(least, now), most = std::max(most, now);
   }
-  // Energy went to and fro.
+  // Kinetic and potential energy were exchanged.
   EXPECT_LT(least, most / 2);
   const double drift = motion.kinetic() + motion.potential() - before;
   RecordProperty("relative_drift", std::to_string(drift / most * 1e12) + "e-12");

@@ -83,7 +83,7 @@ class Writer {
     return text.empty() ? "" : "frames { " + text + "}";
   }
 
-  // A joint of this type with a link beyond it.
+  // Adds a joint of this type and the link that it moves.
   void add(
       const std::string& parent,
       const std::string& name,
@@ -112,7 +112,7 @@ class Writer {
 
   void lead(const std::string& joint) { independent_ += (independent_.empty() ? "" : ", ") + joint; }
 
-  // ---- A plane: where it is in the link that carries the mechanism, or with the joints' axes along z in others.
+  // ---- The plane of a mechanism, in axes of the link that carries it; in the other links the joint axes are along z.
 
   struct Plane {
     std::string tilt;  // the first two angles
@@ -152,7 +152,7 @@ class Writer {
   double z() { return dice_.between(-0.05, 0.05); }
   double noise() { return dice_.between(-0.1, 0.1); }
 
-  // ---- Mechanisms. Joints are placed nearly where the loop closes at q = 0.
+  // ---- Mechanisms. Joints are placed so that the loop nearly closes at q = 0.
 
   void mechanism(const std::string& carrier, const std::string& name) {
     switch (dice_.below(5)) {
@@ -179,7 +179,7 @@ class Writer {
 
   std::string planar_type() { return dice_.chance(0.5) ? "type = hinge" : "type = point"; }
 
-  // Crank and rocker on the carrier, a rod on the crank; sometimes a second rod: five bars.
+  // A crank and a rocker on the carrier, and a rod on the crank; sometimes a second rod makes it a five-bar.
   void four_bar(const std::string& carrier, const std::string& name) {
     const Plane p = plane();
     const Point ground = {0.0, 0.0}, other = {dice_.between(0.35, 0.5), noise()};
@@ -216,7 +216,7 @@ class Writer {
     }
   }
 
-  // Crank, rod and a piston that slides in the carrier.
+  // A crank, a rod and a piston that slides in the carrier. In a tilted plane a rocker takes the place of the piston.
   void slider(const std::string& carrier, const std::string& name) {
     const Plane p = plane();
     const double turn = dice_.between(0.9, 1.6), crank = dice_.between(0.15, 0.25), rise = z();
@@ -225,7 +225,7 @@ class Writer {
     add("l_" + name + "1", name + "2", "r_joint", fmt::format("{}, 0.0, {}", crank, rise),
         fmt::format("0.0, 0.0, {}", direction(tip, pin) - turn + noise()));
     frame("l_" + name + "2", name + "_left", length(tip, pin), 0.0, "0.0, 0.0, 0.0");
-    // Its axis of sliding: in the plane of carriers whose plane is x-y, along x.
+    // Where the plane of the mechanism is the x-y plane of the carrier, the piston slides along x.
     const bool plain = p.tilt == "0.0, 0.0";
     const std::string along = plain ? "0.0, PI/2.0, 0.0" : "";
     if (plain) {
@@ -242,7 +242,7 @@ class Writer {
     lead(name + (plain && dice_.chance(0.5) ? "3" : "1"));
   }
 
-  // A rocker that a cylinder moves: its tube turns, its rod slides in it.
+  // A rocker that a cylinder moves: the tube turns, and the rod slides in it.
   void cylinder(const std::string& carrier, const std::string& name) {
     const Plane p = plane();
     const Point other = {dice_.between(0.3, 0.4), noise()};
@@ -261,7 +261,7 @@ class Writer {
     lead(name + (dice_.chance(0.5) ? "1" : "3"));
   }
 
-  // Two arms whose tips stay at a distance, nearly in a plane.
+  // Two arms whose tips keep a constant distance, nearly in a plane.
   void rod(const std::string& carrier, const std::string& name) {
     const double turn = dice_.between(0.9, 1.6), bend = dice_.between(-0.3, 0.3), third = dice_.between(1.4, 2.0);
     const Point left = {
@@ -272,7 +272,7 @@ class Writer {
     add("l_" + name + "1", name + "2", first_slides ? "p_joint" : "r_joint", "0.2, 0.0, 0.0",
         fmt::format("{}, {}, {}", noise(), noise(), bend));
     frame("l_" + name + "2", name + "_left", 0.1, 0.05, "0.0, 0.0, 0.0");
-    // A joint that slides does so towards the first arm.
+    // If the last joint slides, it does so towards the first arm.
     if (last_slides)
       add(carrier, name + "3", "p_joint", fmt::format("{}, {}, 0.05", right.x, right.y),
           fmt::format("{}, PI/2.0, 0.0", noise()));

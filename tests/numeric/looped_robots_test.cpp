@@ -1,5 +1,5 @@
-// Robots with loops: all functions against the reference, which closes loops by Newton's method; and the motion against
-// that of the tree whose loops are held closed by forces.
+// Robots with loops: all functions compared with the reference, which closes loops by Newton's method; and the motion
+// compared with that of the tree whose loops are held closed by forces.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"
@@ -23,7 +23,7 @@ int looped_count() {
   return robot_count() / 40;
 }
 
-// The same on a fixed base, where springs and friction do nothing.
+// The same robot on a fixed base, without springs and friction.
 std::optional<model::KinematicTree> held(std::uint64_t seed) {
   auto tree = looped_tree(seed);
   if (tree) tree->floating_base = tree->uses_passive_forces = false;
@@ -45,7 +45,8 @@ TEST_P(LoopedRobots, AgreeWithTheReferenceAndWithThemselves) {
   }
 }
 
-// [H K'; K 0] [qdd; -f] = [tau - bias; -dK/dt qd], whose solution is that of the coordinates for forces on them alone.
+// The coordinates move as in the solution of [H K'; K 0] [qdd; -f] = [tau - bias; -dK/dt qd], with forces tau on them
+// only.
 TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
   constexpr double kSame = 1e-10;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
@@ -67,7 +68,7 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
     Matrix<Real> K = rows.columns;
     for (int c = tables.dof(); c < tables.joints.size; ++c)
       if (!std::isnan(tables.couplings[c - tables.dof()].offset)) K = Matrix<Real>();
-    if (K.empty()) continue;  // a coupling is another constraint
+    if (K.empty()) continue;  // couplings are further constraints
     const auto loads = reference::without_passive<Real>({0, 0, -9.81});
     const Vector<Real> bias = reference::inverse_dynamics_fully_actuated(free, all, loads).tau;
     const Matrix<Real> H = reference::joint_space_inertia(free, all.q);
@@ -75,7 +76,7 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
     for (int k = 0; k < tau.rows(); ++k) tau(k) = reference::uniform(engine, 5.0);
     Vector<Real> missing = Real(-1) * bias;
     for (int k = 0; k < tau.rows(); ++k) missing(k) += static_cast<Real>(tau(k));
-    // f by the inertia that the rows see; those that say the same as others are held by a trace of compliance.
+    // f follows from the inertia that the rows see; a tiny compliance regularises redundant rows.
     const Matrix<Real> yielding = solve(H, transpose(K));
     Matrix<Real> W = K * yielding;
     const Real trace = reference::largest(W);
@@ -92,7 +93,7 @@ TEST_P(LoopedRobots, MoveAsTheirTreesWithForcesInTheLoops) {
   }
 }
 
-// Weights times inverse dynamics, which the reference agrees with, by differences.
+// Compares with differences of weights times inverse dynamics, which agrees with the reference.
 TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   constexpr Real kStep = 1e-3L, kSame = 1e-9L;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
@@ -138,7 +139,7 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
   }
 }
 
-// With the forces of its loops a tree with all joints free moves in the same way, and joints that follow need none.
+// With its loop forces applied, a tree with all joints free moves in the same way, and the followers need no forces.
 TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
   constexpr double kSame = 1e-9;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
@@ -147,7 +148,7 @@ TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
     if (!tree) continue;
     const InterpretedRobot robot(*tree, {}, {}, values_near_defaults(*tree), {}, {"inverse_dynamics"});
     const reflection::Robot tables = robot.tables();
-    if (tree->has_linear_couplings()) continue;  // it is another constraint
+    if (tree->has_linear_couplings()) continue;  // couplings are further constraints
     std::mt19937_64 engine(seed);
     reference::Sample sample;
     const reference::AtLoops closed = draw(engine, tables, sample);
@@ -176,7 +177,7 @@ TEST_P(LoopedRobots, HaveForcesInTheirLoops) {
   }
 }
 
-// Where they are closed, and where they are not.
+// Checks loop errors where the loops are closed, and where they are open.
 TEST_P(LoopedRobots, TellHowTheirLoopsAreOpen) {
   constexpr double kSame = 1e-11;
   for (int i = GetParam(); i < looped_count(); i += kShards) {
@@ -222,7 +223,7 @@ TEST_P(LoopedRobots, TellHowTheirLoopsAreOpen) {
       const bool is_distance = loop.type == reflection::LoopType::distance;
       const int count = is_distance ? 1 : loop.type == reflection::LoopType::hinge ? 5 : 3;
       for (int k = 0; k < count; ++k, ++row) {
-        // The reference has half the difference of the squares.
+        // For a distance, the reference has half the difference of the squares.
         const int same = static_cast<int>(rows.error.rows()) / tables.loops.size * l + k;
         const Real length = static_cast<Real>(loop.length);
         const Real apart = is_distance ? std::sqrt(2 * rows.error(same) + length * length) : 1;

@@ -11,7 +11,7 @@ using reference::Matrix;
 using reference::Real;
 using reference::Vector;
 
-// The last link on the ways from the base to both ends.
+// Returns the last link on the paths from the base to both ends.
 int last_common_link(const reflection::Robot& robot, const reflection::Loop& loop) {
   const std::vector<int> first = reference::supporting_joints(robot, robot.frames[loop.frames[0]].link);
   const std::vector<int> second = reference::supporting_joints(robot, robot.frames[loop.frames[1]].link);
@@ -25,10 +25,10 @@ int last_common_link(const reflection::Robot& robot, const reflection::Loop& loo
   return link;
 }
 
-// The frame of an end in the last link that carries both.
+// The frame at one end of a loop, in the last link that carries both ends.
 struct End {
   Vector<Real> point;
-  Matrix<Real> axes, angular, linear;  // by coordinate: of the frame's velocity
+  Matrix<Real> axes, angular, linear;  // angular, linear: the frame's velocity, a column per coordinate
 };
 
 std::array<End, 2> ends_of(const reflection::Robot& free, const reflection::Loop& loop, const Vector<Real>& joints) {
@@ -60,7 +60,7 @@ class Rows {
     errors_.push_back(error);
     rates_.push_back(rates);
   }
-  // Of a direction along which velocities by column count.
+  // Adds a row: an error along `direction`, and the components of the velocities (columns) along it.
   void add(Real error, const Vector<Real>& direction, const Matrix<Real>& velocities) {
     std::vector<Real> rates;
     for (int c = 0; c < columns_; ++c) rates.push_back(dot(direction, Vector<Real>(velocities.col(c))));
@@ -102,7 +102,7 @@ void add_loop(const reflection::Robot& free, const reflection::Loop& loop, const
     return rows.add((dot(apart, apart) - length * length) / 2, apart, moving);
   }
   if (loop.type == LoopType::slider) {
-    // As seen from the first frame, which turns.
+    // The velocity as seen from the first frame, which turns.
     const Matrix<Real> seen = moving + reference::skew(apart) * first.angular;
     for (int k = 0; k < 2; ++k) rows.add(dot(axis_of(first, k), apart), axis_of(first, k), seen);
   } else {
@@ -202,7 +202,7 @@ void push(
     wrench = wrench + reference::stacked(n + reference::cross(arm, f), f);
   }
   if (loop.type == LoopType::slider) return;
-  // The rows are those that the carrier sees: where the loop is open it feels the couple.
+  // The rows are expressed in the carrier, so an open loop exerts a couple on it.
   Vector<Real>& wrench = wrenches[static_cast<std::size_t>(last_common_link(free, loop))];
   wrench = wrench + reference::stacked(reference::cross(ends[1].point - ends[0].point, force), Vector<Real>(3));
 }

@@ -1,4 +1,4 @@
-// Programs of robots in lanes, and their comparison with those without.
+// Programs of robots in lanes, and their comparison with the programs without lanes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 
 namespace robcogen::numeric {
 
-// Scaled by the largest value of the array: both programs are interpreted in double, and round in different order.
+// Relative to the largest value of the array: both programs are interpreted in double, and round in a different order.
 inline constexpr double kLanesTolerance = 1e-11;
 
 inline model::KinematicTree document_of(const std::string& file) {
@@ -51,7 +51,7 @@ inline symbolic::Arrays<double> random_inputs(const symbolic::Program& program, 
   return inputs;
 }
 
-// A description of the first difference.
+// Returns a description of the first difference, or an empty string.
 inline std::string difference(const symbolic::Program& expected, const symbolic::Program& program, std::uint64_t seed) {
   const symbolic::Arrays<double> inputs = random_inputs(expected, seed);
   const auto wanted = symbolic::interpret<double>(expected, inputs);

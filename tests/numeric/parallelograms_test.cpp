@@ -1,4 +1,5 @@
-// Joints of parallelograms follow by sums: everywhere, flat positions included, and as Newton's method closes them.
+// Followers in parallelograms are sums of other joints: in all positions, flat ones included, and as Newton's method
+// closes them.
 #include <gtest/gtest.h>
 
 #include "document_tree.h"
@@ -16,7 +17,7 @@ int ring_count() {
   return std::max(2, robot_count() / 1000);
 }
 
-// For all places to cut the loop and all joints that lead.
+// Checks all choices of the cut pivot and of the leading joint.
 void for_each_document(Ring::Shape shape, const std::function<void(const std::string&, std::uint64_t seed)>& check) {
   for (int i = 0; i < ring_count(); ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
@@ -63,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Ring::Shape::parallelogram, Ring::Shape::flat),
     [](const auto& shape) { return shape.param == Ring::Shape::flat ? "flat" : "open"; });
 
-// The same tables with loops of which nothing is known but that they close.
+// The same tables, but with general loops: all that is known of them is that they close.
 TEST(OpenParallelograms, MoveAsNewtonsMethodClosesThem) {
   constexpr double kSame = 1e-12;
   for_each_document(Ring::Shape::parallelogram, [&](const std::string& text, std::uint64_t seed) {
@@ -89,7 +90,7 @@ TEST(OpenParallelograms, MoveAsNewtonsMethodClosesThem) {
   });
 }
 
-// A four-bar turns one side of a parallelogram: nothing follows in proportion.
+// A four-bar drives one side of a parallelogram, so no joint follows in proportion.
 TEST(ParallelogramsBehindOtherLoops, AreClosedAsOthers) {
   const auto body = [](const std::string& name, const std::string& rest) {
     return "link " + name +

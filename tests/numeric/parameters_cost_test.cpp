@@ -1,4 +1,4 @@
-// The cost of parameters: operations of a parametric robot compared with its constant twin.
+// The cost of parameters: operations of a parametric robot compared with those of its constant twin.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,10 +19,10 @@ using model::KinematicTree;
 using model::ParameterKind;
 using model::Quantity;
 
-// Constants fold into fewer sums than values that are only known to be constant, and into link frames that make
-// products of inertia vanish. Main functions: inverse and forward dynamics with their first derivatives, and the
-// inertia matrix; a function of ten instructions may have two more. Of the others the Coriolis matrix of the quadruped
-// is the worst.
+// Constants fold into fewer sums than parameters, and allow link frames in which products of inertia vanish. The main
+// functions are inverse and forward dynamics with their first derivatives, and the inertia matrix. Each function may
+// have two instructions more, which matters for functions of about ten. Of the other functions the Coriolis matrix of
+// the quadruped is the worst.
 constexpr double kMaxRatio = 1.1, kMaxRatioOfOthers = 1.6;
 constexpr int kAlways = 2;
 
@@ -37,7 +37,7 @@ KinematicTree robot_of(const std::string& name) {
   return tree.value_or(KinematicTree());
 }
 
-// With every length and every mass a parameter, a robot costs hardly more than its constant twin.
+// With every length and every mass as a parameter, a robot costs hardly more than its constant twin.
 TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
   for (const std::string name : {"hyl", "puma560", "quadruped_fixed", "quadruped"}) {
     const KinematicTree constant = robot_of(name);
@@ -60,7 +60,7 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
     for (const std::string& group : algorithm::groups()) {
       if (group == "transforms" || group == "jacobians") continue;
       for (const algorithm::RobotFunction& f : algorithm::functions(robot, {}, group, parametric_frames))
-        if (f.name != "total_mass") programs.push_back(f.program);  // a constant of the twin
+        if (f.name != "total_mass") programs.push_back(f.program);  // a constant for the twin
       for (const algorithm::RobotFunction& f : algorithm::functions(constant, {}, group, constant_frames))
         constants.push_back(f.program);
     }

@@ -1,4 +1,4 @@
-// P7: a parametric robot that is fed with values is the constant robot of those values; fed with others, the other one.
+// P7: a parametric robot with given parameter values behaves as the constant robot with these values.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"
@@ -19,12 +19,12 @@ using reference::Real;
 using reference::Sample;
 using reference::Vector;
 
-// Folding constants rounds in another order than computing with parameters: rounding of both programs.
+// Folded constants are rounded in another order than parameters; both programs round.
 constexpr Real kSame = 1e-12L;
 
 struct Parametric {
   KinematicTree robot;
-  std::vector<double> values;  // with which it is the robot that it was made of
+  std::vector<double> values;  // with these values it equals the robot that it was made from
 };
 
 // Applies f(quantity, kind) to every quantity of a robot.
@@ -45,8 +45,8 @@ void for_each_quantity(KinematicTree& robot, const Function& f) {
   }
 }
 
-// A share of the numbers become parameters, alone or in expressions. Of each kind some are parameters of both
-// interfaces.
+// Turns some of the numbers into parameters, alone or in expressions. Some of the lengths and angles are parameters of
+// both interfaces.
 Parametric parametric(const KinematicTree& constant, std::uint64_t seed) {
   Parametric result{constant, {}};
   std::mt19937_64 engine(seed);
@@ -78,7 +78,7 @@ Parametric parametric(const KinematicTree& constant, std::uint64_t seed) {
   return result;
 }
 
-// Values of parameters put into the quantities.
+// Returns the robot with the parameters replaced by their values.
 KinematicTree constant_of(const Parametric& p, const std::vector<double>& values) {
   KinematicTree robot = p.robot;
   for_each_quantity(robot, [&](Quantity& q, ParameterKind) { q = Quantity(model::evaluate(q, values)); });
@@ -86,7 +86,7 @@ KinematicTree constant_of(const Parametric& p, const std::vector<double>& values
   return robot;
 }
 
-// Empty when both robots agree with the reference and with each other.
+// Returns an empty string if both robots agree with the reference and with each other.
 std::string difference(const Parametric& p, const std::vector<double>& values, std::uint64_t seed) {
   const KinematicTree constant = constant_of(p, values);
   const model::DesiredTransforms desired = random_desired(seed, constant);
@@ -129,13 +129,14 @@ TEST(Parameters, FedWithValuesAreConstants) {
   }
 }
 
-// The same programs, other lengths, angles and masses: a body that grows by a factor in all its mass properties stays a
-// real body, whatever the others do.
+// The same programs with other lengths, angles and masses. A body whose mass properties all grow by one factor remains
+// physical, whatever the other values are.
 TEST(Parameters, FedWithOtherValuesAreTheOtherRobot) {
   for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 80); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 30000;
     KinematicTree robot = random_robot(seed, {.max_joints = 12});
-    // Masses and inertias of a link by one factor: parameter 0 of the kind; lengths and angles by one each.
+    // Parameter 0 is a factor of all masses and inertias, parameter 1 of all lengths; parameter 2 is added to all
+    // angles.
     robot.parameters = {
         {"size", ParameterKind::inertial, {}, {}},
         {"stretch", ParameterKind::length, {}, {}},
@@ -155,11 +156,12 @@ TEST(Parameters, FedWithOtherValuesAreTheOtherRobot) {
   }
 }
 
-// Signs and factors move, so products round otherwise; forward dynamics magnifies that by its condition, which makes
-// accelerations of 1e6 of forces of order one where masses make no body.
+// Signs and factors move, so products are rounded differently. Forward dynamics magnifies this by its condition number:
+// where the mass properties are not physical, forces of order one cause accelerations of 1e6.
 constexpr double kMagnifiedRounding = 1e-9;
 
-// All programs of the robot, split: the same results from the cache, also after an update of one interface alone.
+// Splits all programs of the robot: the results from the cache are the same, also after an update of only one
+// interface.
 TEST(Parameters, SplitOffChangeNoResult) {
   for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 40000;
@@ -192,12 +194,12 @@ TEST(Parameters, SplitOffChangeNoResult) {
         for (const symbolic::InputArray& array : programs[k].inputs)
           for (std::size_t e = 0; e < array.elements.size(); ++e)
             inputs[array.name].push_back(reference::uniform(engine, 2));
-        // Functions of a given factor have none.
+        // Functions of a given factor have no parameters.
         const auto parameters = inputs.find("parameters");
         if (parameters != inputs.end()) parameters->second = values;
         const symbolic::Arrays<double> expected = symbolic::interpret<double>(programs[k], inputs);
         if (parameters != inputs.end()) parameters->second = cache;
-        // Masses that make no body leave the factor of the inertia matrix with roots of negative numbers.
+        // Where the mass properties are not physical, the factor of the inertia matrix has roots of negative numbers.
         const bool has_roots = symbolic::count(programs[k]).sqrt > 0;
         for (const auto& [name, found] : symbolic::interpret<double>(split.programs[k], inputs)) {
           // Inputs are of order one, so a much smaller value is a rounded zero.

@@ -1,6 +1,6 @@
-// P8: whichever choices and passes make the programs of a robot, their results are the same.
+// P8: the results of a robot's programs do not depend on the choices and passes that make them.
 //
-// All are held against the reference with the tolerances of the checks, which are a few hundred roundings.
+// All programs are compared with the reference, with the tolerances of the checks, which are a few hundred roundings.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,7 +15,7 @@ namespace {
 
 using model::KinematicTree;
 
-// None, all, each one alone, all but one.
+// No step, all steps, each one alone, and all but one.
 std::vector<std::vector<std::string>> choices() {
   std::vector<std::vector<std::string>> result{{}, all_steps()};
   for (const std::string& name : all_steps()) {
@@ -49,7 +49,7 @@ TEST(Passes, ChangeNoResult) {
   }
 }
 
-// A robot together with link frames, so that both are shrunk.
+// Link frames that depend only on the robot and the seed, so that shrinking the robot shrinks them, too.
 algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double low, double high) {
@@ -69,7 +69,7 @@ algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t se
   return frames;
 }
 
-// Whatever link frames the recursions compute in, the joints and the base feel the same; with base inertial parameters
+// Forces on the joints and the base do not depend on the link frames of the recursions, with base inertial parameters
 // and without.
 TEST(LinkFrames, ChangeNoResult) {
   std::vector<std::string> physical = all_steps();
@@ -89,7 +89,7 @@ TEST(LinkFrames, ChangeNoResult) {
   }
 }
 
-// The frames that the search finds.
+// The frames that the search finds change no result.
 TEST(LinkFrames, ThatAreFoundChangeNoResult) {
   for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 51000;
@@ -107,7 +107,7 @@ TEST(LinkFrames, ThatAreFoundChangeNoResult) {
   }
 }
 
-// Passes have a point: together they leave fewer operations, and no pass adds any.
+// Together the passes leave fewer operations, and they add none to any program.
 TEST(Passes, AddNoOperation) {
   long before = 0, after = 0;
   for (std::uint64_t seed = 40000; seed < 40040; ++seed) {

@@ -15,7 +15,7 @@ using model::Rotor;
 
 namespace {
 
-// Of any length.
+// Returns an axis of any length.
 std::array<double, 3> random_axis(Dice& dice) {
   std::array<double, 3> axis{};
   if (dice.chance(0.4)) {
@@ -30,7 +30,7 @@ double length_of(const std::array<double, 3>& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-// Often the joint's parent or a link between that and the base.
+// Returns often the joint's parent or a link between it and the base, sometimes any link.
 int random_carrier(const KinematicTree& robot, const model::Joint& joint, Dice& dice) {
   if (dice.chance(0.25)) return dice.below(static_cast<int>(robot.links.size()));
   int carrier = joint.parent;
@@ -38,7 +38,7 @@ int random_carrier(const KinematicTree& robot, const model::Joint& joint, Dice& 
   return carrier;
 }
 
-// Adds the spin inertia to the link that carries the rotor, as far as its document has a place for that.
+// Adds the spin inertia to the link that carries the rotor; false if that link has no inertia in its own frame.
 bool add_to_carrier(model::Link& carrier, const Rotor& rotor, const std::array<double, 3>& axis) {
   if (!carrier.inertia || carrier.inertia->reference) return false;
   model::Inertia& inertia = *carrier.inertia;
@@ -99,7 +99,7 @@ RotorBodies with_rotor_bodies(const KinematicTree& robot, std::uint64_t seed) {
     if (!dice.chance(0.7)) continue;
     const std::string number = std::to_string(j);
     const int carrier = random_carrier(robot, robot.joints[at(j)], dice);
-    // Its axis is z of its frame, turned about x and y of the carrier.
+    // The rotor's axis is z of its frame, which is rotated about x and y of the carrier.
     model::Joint spindle;
     spindle.name = "spindle" + number;
     for (Quantity& t : spindle.placement.translation) t = Quantity(dice.between(-0.3, 0.3));

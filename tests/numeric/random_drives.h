@@ -7,10 +7,10 @@
 
 namespace robcogen::numeric {
 
-// The robot with a random drive on most of its joints, and rotors on any links; the same for the same seed.
+// Adds a random drive to most joints of the robot, with rotors on any links. The result depends only on the seed.
 model::KinematicTree with_random_drives(model::KinematicTree robot, std::uint64_t seed);
 
-// A robot whose drives are rotors alone, and the same with a body and a joint for each rotor.
+// A robot whose only drives are rotors, and the same robot with a body and a joint in place of each rotor.
 struct RotorBodies {
   model::KinematicTree with_rotors;
   model::KinematicTree with_bodies;  // the joints of the rotors come last

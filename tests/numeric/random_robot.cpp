@@ -45,7 +45,7 @@ Placement placement(Dice& dice) {
   return p;
 }
 
-// A body of eight point masses around its centre: whatever the numbers, it is a real one.
+// A body of eight point masses around its centre: it is physical, whatever the numbers are.
 Inertia inertia(Dice& dice) {
   const double mass = std::pow(10.0, dice.between(-1, 1));
   const bool symmetric = dice.chance(0.3);  // diagonal inertia in link axes about the centre
@@ -75,7 +75,7 @@ Inertia inertia(Dice& dice) {
     product[0] += m * x * y, product[1] += m * x * z, product[2] += m * y * z;
     moment[0] += m * x, moment[1] += m * y, moment[2] += m * z;
   }
-  // Sums that cancel in exact arithmetic leave crumbs; documents write zeros.
+  // Sums that cancel in exact arithmetic leave rounding noise, where documents write zeros.
   const auto clean = [mass](double x) { return std::abs(x) < 1e-14 * mass ? 0.0 : x; };
 
   Inertia result;
@@ -99,7 +99,7 @@ void connect(KinematicTree& robot, int parent, int child, Joint joint) {
   robot.links[at(child)].parent_joint = index;
 }
 
-// Where the next link grows, after `grown` links have.
+// Returns the parent of the next link, after `grown` links have been added.
 int parent_of_next(Dice& dice, Shape shape, double chain_likeness, int grown) {
   if (shape == Shape::chain) return grown;
   if (shape == Shape::star) return 0;
@@ -117,7 +117,7 @@ KinematicTree shuffled(const KinematicTree& robot, Dice& dice) {
   return reordered(robot, order(robot.links.size(), 1), order(robot.joints.size(), 0));
 }
 
-// H has a condition number, after scaling its diagonal to ones, of at most about a million, at a few positions.
+// True if the condition number of H, after scaling its diagonal to ones, is at most about a million at a few positions.
 bool well_conditioned(const KinematicTree& robot) {
   const reference::Tables tables = reference_tables(robot);
   Dice dice(1);
@@ -168,7 +168,7 @@ KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
   KinematicTree robot;
   robot.name = "random_" + std::to_string(seed);
   robot.floating_base = dice.chance(0.4);
-  const double share = std::pow(dice.unit(), 4);  // small robots more often: a fifth of the most on average
+  const double share = std::pow(dice.unit(), 4);  // favours small robots: a fifth of the maximum on average
   const int joints = options.min_joints + static_cast<int>(share * (options.max_joints - options.min_joints + 1));
   const double chain_likeness = dice.unit();
   const double revolute = dice.chance(0.5) ? 1.0 : dice.unit();
@@ -185,8 +185,8 @@ KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options) {
     connect(robot, parent_of_next(dice, options.shape, chain_likeness, k), k + 1, joint);
   }
   if (options.screws) make_screws(robot, seed);
-  // Parallel prismatic joints, or axes that coincide, make H singular or nearly so: spread them. Long chains are badly
-  // conditioned whatever their frames.
+  // Parallel prismatic joints, or axes that coincide, make H singular or nearly so: spread the joints. Long chains are
+  // badly conditioned for any placement of their frames.
   for (int trial = 0; trial < 5 && !well_conditioned(robot); ++trial) {
     for (Joint& joint : robot.joints) {
       for (Quantity& t : joint.placement.translation) t = Quantity(dice.between(-0.5, 0.5));
@@ -210,7 +210,7 @@ model::DesiredTransforms random_desired(std::uint64_t seed, const KinematicTree&
   const std::vector<model::Frame> frames = robot.frames();
   const auto any = [&] { return frames[at(dice.below(static_cast<int>(frames.size())))]; };
   model::DesiredTransforms desired;
-  // A triangle of frames with one edge both ways: compositions and inverses can be checked.
+  // Three frames form a triangle, with one edge in both directions, so that compositions and inverses can be checked.
   const model::Frame a = any(), b = any(), c = any();
   desired.transforms = {{a, b}, {b, c}, {a, c}, {b, a}, {frames[0], any()}, {any(), any()}};
   desired.jacobians = {{frames[0], a}, {a, b}, {b, a}, {any(), any()}};
@@ -228,7 +228,7 @@ model::DesiredTransforms random_desired(std::uint64_t seed, const KinematicTree&
 
 KinematicTree without_leaf(const KinematicTree& robot, int leaf) {
   const int joint = robot.links[at(leaf)].parent_joint;
-  // To the end of both lists, then off.
+  // Move the link and its joint to the ends of their lists, then remove them.
   const auto order = [](std::size_t size, int last) {
     std::vector<int> list;
     for (int k = 0; k < static_cast<int>(size); ++k) {
@@ -253,7 +253,7 @@ KinematicTree shrink(KinematicTree robot, const std::function<bool(const Kinemat
     for (int i = static_cast<int>(robot.links.size()) - 1; i > 0; --i) {
       if (!robot.links[at(i)].child_joints.empty()) continue;
       KinematicTree candidate = without_leaf(robot, i);
-      // A massless link may not become a leaf.
+      // A massless link must not become a leaf.
       const bool sound = std::all_of(candidate.links.begin() + 1, candidate.links.end(), [](const Link& link) {
         return link.inertia || !link.child_joints.empty();
       });

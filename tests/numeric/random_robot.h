@@ -1,4 +1,4 @@
-// Random kinematic trees for property tests, and how to make a failing one small.
+// Random kinematic trees for property tests, and a function that shrinks those that fail.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,21 @@ struct RobotOptions {
   bool screws = true;         // helical joints
 };
 
-// The same robot for the same seed, everywhere. Most robots are small; every inertia matrix is well positive definite,
-// all mass properties are those of real bodies. About a third of the offsets are zero, a third of the rotations
-// multiples of a right angle, since that is where code generators cut corners.
+// The robot depends only on the seed, on every platform. Most robots are small; every inertia matrix is well positive
+// definite, and all mass properties are physical. About a third of the offsets are zero, and a third of the rotations
+// are multiples of a right angle, because these are the cases that code generators simplify.
 model::KinematicTree random_robot(std::uint64_t seed, const RobotOptions& options = {});
 
 // A few pairs of frames: towards the base, away from it, across branches, within a link.
 model::DesiredTransforms random_desired(std::uint64_t seed, const model::KinematicTree& robot);
 
-// The robot without one of its leaf links, its joint and the frames on both. `leaf` is a link without child joints.
+// Removes one leaf link with its joint and the frames on both. `leaf` is a link without child joints.
 model::KinematicTree without_leaf(const model::KinematicTree& robot, int leaf);
 
-// A smaller robot that still fails: leaf links and user frames are removed as long as `fails` holds.
+// Returns a smaller robot that still fails: removes leaf links and user frames as long as `fails` holds.
 model::KinematicTree shrink(model::KinematicTree robot, const std::function<bool(const model::KinematicTree&)>& fails);
 
-// For messages: one line a link with its joint, placement and mass.
+// A description for messages: one line per link with its joint, placement and mass.
 std::string describe(const model::KinematicTree& robot);
 
 }  // namespace robcogen::numeric

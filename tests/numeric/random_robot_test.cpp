@@ -1,4 +1,4 @@
-// The random robots themselves: the same for a seed, sound, of every kind; and shrinking them.
+// Random robots: the same for the same seed, consistent, and of every kind; and shrinking them.
 #include "random_robot.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace {
 
 using model::KinematicTree;
 
-// Indices agree both ways, and every link hangs on the base.
+// Returns an empty string if indices agree in both directions and every link is connected to the base; otherwise the
+// fault.
 std::string unsound(const KinematicTree& robot) {
   if (robot.links.size() != robot.joints.size() + 1) return "not as many joints as links";
   if (robot.links[0].parent_joint != -1) return "the base has a parent";
@@ -80,7 +81,7 @@ TEST(RandomRobot, HasTheShapeThatIsAskedFor) {
   EXPECT_EQ(star.links[0].child_joints.size(), 9u);
 }
 
-// The model's own checks find nothing wrong with the mass properties, and no joint without inertia.
+// The model's own checks find no fault in the mass properties, and no joint without inertia.
 TEST(RandomRobot, HasPlausibleMassProperties) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const KinematicTree robot = random_robot(seed);
@@ -102,7 +103,7 @@ TEST(RandomRobot, ShrinksToWhatFails) {
   EXPECT_TRUE(has_j7(small));
   EXPECT_EQ(unsound(small), "") << describe(small);
   EXPECT_TRUE(small.user_frames.empty());
-  // The rest is the path to j7.
+  // Only the path to j7 is left.
   int leaves = 0;
   for (const model::Link& link : small.links) leaves += link.child_joints.empty() ? 1 : 0;
   EXPECT_EQ(leaves, 1);

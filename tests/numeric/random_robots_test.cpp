@@ -1,4 +1,4 @@
-// All functions of random robots, by the interpreter: against the reference, and identities P1 to P5.
+// All functions of random robots in the interpreter, compared with the reference and with the identities P1 to P5.
 //
 // ROBCOGEN_TEST_ROBOTS and ROBCOGEN_TEST_STATES raise the volume.
 #include <gtest/gtest.h>
@@ -14,13 +14,13 @@ namespace {
 
 using model::KinematicTree;
 
-// Passes take most of the time, so seven programs of eight run as they were traced.
+// Passes take most of the time, so the programs of seven robots in eight run as they were traced.
 reference::Checks checks_of(const KinematicTree& robot, std::uint64_t seed) {
   const std::vector<std::string> passes = seed % 8 == 0 ? pass::names() : std::vector<std::string>{};
   return check_all(InterpretedRobot(robot, random_desired(seed, robot), passes), seed, state_count());
 }
 
-// Shards, so that a test runner can share them out.
+// Shards let a test runner distribute the robots.
 constexpr int kShards = 20;
 
 class RandomRobots : public testing::TestWithParam<int> {};
@@ -31,7 +31,7 @@ TEST_P(RandomRobots, AgreeWithTheReferenceAndWithThemselves) {
     const KinematicTree robot = random_robot(seed);
     const reference::Checks checks = checks_of(robot, seed);
     if (checks.failures() == 0) continue;
-    if (std::getenv("ROBCOGEN_MUTANT") != nullptr) FAIL();  // a fault made on purpose needs no small robot
+    if (std::getenv("ROBCOGEN_MUTANT") != nullptr) FAIL();  // a mutant needs no small robot
     const KinematicTree small =
         shrink(robot, [&](const KinematicTree& r) { return checks_of(r, seed).failures() > 0; });
     ADD_FAILURE() << "seed " << seed << "\n"

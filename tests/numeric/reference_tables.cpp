@@ -18,7 +18,7 @@ Triple values(const std::array<model::Quantity, 3>& v, std::span<const double> p
   return {model::evaluate(v[0], parameters), model::evaluate(v[1], parameters), model::evaluate(v[2], parameters)};
 }
 
-// The integral of r r' dm about the origin, whose trace and elements make the inertia tensor.
+// The integral of r r' dm about the origin; the inertia tensor follows from its trace and elements.
 Matrix<Real> second_moments(const model::Inertia& inertia, std::span<const double> parameters) {
   const auto value = [&](const model::Quantity& q) { return static_cast<Real>(model::evaluate(q, parameters)); };
   const Real xx = value(inertia.ixx), yy = value(inertia.iyy), zz = value(inertia.izz);
@@ -77,7 +77,7 @@ JointType type_of(model::JointType type) {
   return JointType::revolute;
 }
 
-// Of unit length, in axes of the carrier.
+// Returns the rotor axis in axes of the carrier, with unit length.
 Triple axis_of(const model::Rotor& rotor, const model::Joint& joint, std::span<const double> parameters) {
   if (!rotor.axis) {
     const Triple angles = values(joint.placement.rotation, parameters);
@@ -118,7 +118,7 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
   for (const model::Link& link : robot.links)
     if (!link.is_repeated)
       tables.add_link(link.name, link.inertia ? body(*link.inertia, parameters) : reference::Tables::Body{});
-  // Coupled joints behind the others, as in generated tables.
+  // Coupled joints come after the others, as in generated tables.
   std::vector<int> order = robot.coordinates();
   for (const model::Coupling& coupling : robot.couplings) order.push_back(coupling.joint);
   for (const int j : order) {

@@ -1,5 +1,5 @@
-// A kinematic tree as reflection tables, for the reference. Mass properties take their own way from the document to the
-// link frame, since a test that shares the model's formulas cannot find errors in them.
+// A kinematic tree as reflection tables, for the reference. Mass properties are moved to the link frame by separate
+// formulas, because a test that shares the model's formulas cannot find errors in them.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace robcogen::numeric {
 
-// Links, joints and all frames that can be named, in the tree's order; `parameters` are values of the tree's.
+// Links, joints and all frames that have names, in the tree's order; `parameters` are values of the tree's parameters.
 reference::Tables reference_tables(const model::KinematicTree& robot, std::span<const double> parameters = {});
 
 // The index of a frame in those tables.

@@ -27,7 +27,8 @@ Quantity quantity(Real value) {
   return Quantity(static_cast<double>(value));
 }
 
-// Mass, its first moments and its second moments, integrals of r dm and r r' dm about the origin: they simply add.
+// The mass, and the first and second moments about the origin: the integrals of r dm and r r' dm. Moments of bodies
+// add.
 struct Moments {
   Real mass = 0;
   Vector<Real> first = Vector<Real>(3);
@@ -76,7 +77,7 @@ void move_placement(const Pose& new_X_old, Placement& placement) {
   placement = placement_of(new_X_old * pose_of(placement));
 }
 
-// Everything that is given in the coordinates of a link.
+// Moves everything that is given in the coordinates of a link.
 void move_contents(KinematicTree& robot, int link, const Pose& new_X_old) {
   Link& owner = robot.links[at(link)];
   if (owner.inertia) owner.inertia = inertia_of(moved(new_X_old, moments_of(*owner.inertia)));
@@ -146,7 +147,7 @@ Reframed reframed(const KinematicTree& robot) {
     const int joint = robot.links[at(i)].parent_joint;
     Pose old_X_new = Pose::identity(4);
     if (joint >= 0) {
-      // Along and about the axis: it commutes with the motion of the joint.
+      // A displacement along and about the axis commutes with the motion of the joint.
       const Real slide = 0.1L * static_cast<Real>(i % 5) - 0.2L, turn = 0.7L * static_cast<Real>(i);
       old_X_new = reference::translation(Real(0), Real(0), slide) * reference::rotation(2, turn);
       Placement& placement = result.robot.joints[at(joint)].placement;
@@ -159,7 +160,7 @@ Reframed reframed(const KinematicTree& robot) {
 }
 
 KinematicTree mirrored(const KinematicTree& robot) {
-  // With M = diag(1, -1, 1): M R M turns about x and z the other way, about y the same.
+  // With M = diag(1, -1, 1), M R M reverses rotations about x and z, and keeps those about y.
   const auto mirror = [](Placement& p) {
     p.translation[1] = -p.translation[1];
     p.rotation[0] = -p.rotation[0];

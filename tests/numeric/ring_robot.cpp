@@ -79,7 +79,7 @@ std::string Ring::body() {
       3 * m * s, 2.5 * m * s, 3.5 * m * s, 0.2 * m * s, -0.1 * m * s, 0.15 * m * s);
 }
 
-// Of the link's frame, at q = 0.
+// Returns the origin of the link's frame at q = 0.
 Ring::Point Ring::origin(int link, int cut) const {
   if (link == 0) return {0, 0};
   return is_before(link, cut) ? pivots_[at(link - 1)] : pivots_[at(link)];

@@ -1,5 +1,5 @@
-// The motions of robots as a document of their own: transforms made of that text are those of the reference, those of
-// the robot's library, and the poses that its dynamics compute with.
+// The motions of robots as documents of their own: transforms made from such a text agree with the reference, with the
+// robot's own programs, and with the poses that its dynamics use.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using model::FrameNames;
 using reference::Matrix;
 using std::filesystem::path;
 
-// Chains of up to 30 frames within some metres, in another order of operations.
+// For chains of up to 30 frames within some metres, computed in another order of operations.
 constexpr double kTolerance = 1e-12;
 constexpr int kStates = 3;
 
@@ -39,7 +39,7 @@ std::vector<path> documents(const path& folder) {
   return result;
 }
 
-// nullopt for documents that are malformed on purpose, and for those of parts alone.
+// Returns nullopt for documents that are malformed on purpose, and for those that contain only parts.
 std::optional<model::KinematicTree> robot_of(const path& document) {
   std::ifstream file(document, std::ios::binary);
   const auto source =
@@ -50,7 +50,7 @@ std::optional<model::KinematicTree> robot_of(const path& document) {
   return diagnostics.has_errors() || tree->name.empty() ? std::nullopt : tree;
 }
 
-// As `robcogen convert robot.kindsl robot.motdsl` writes it.
+// Returns the text that `robcogen convert robot.kindsl robot.motdsl` writes.
 std::string motions_text(const model::KinematicTree& robot) {
   return language::motion::print(exporting::motion_document(model::motions_over_coordinates(robot)));
 }
@@ -81,7 +81,7 @@ class Both {
     for (const model::Parameter& p : motions.parameters) parameters_.push_back(value_of(p.name));
   }
 
-  // The largest difference of the forms of left_X_right to the reference, and to the robot's own programs.
+  // Returns the largest difference of all forms of left_X_right from the reference and from the robot's own programs.
   double difference_of(const model::FramePair& pair, const std::vector<double>& q) const {
     const auto transforms = model::transforms_of(motions_, {{pair.left.name, pair.right.name}});
     const Matrix<double> expected = reference::transform<double>(
@@ -101,7 +101,7 @@ class Both {
     return worst;
   }
 
-  // The largest difference of the joints' poses to those that the dynamics compute with.
+  // Returns the largest difference of the joints' poses from those that the dynamics use.
   double difference_of_poses(const std::vector<double>& q) const {
     algorithm::Trace trace(robot_);
     const auto positions = trace.joint_input("q", symbolic::Role::joint_position);
@@ -167,7 +167,7 @@ class Both {
     if (!variables.empty()) inputs["variables"] = variables;
     return symbolic::interpret<double>(algorithm::transform_program(transforms, transform, form, "X"), inputs).at("X");
   }
-  // `q_<joint>`, with underscores behind it where a parameter has that name.
+  // Variables are named `q_<joint>`, with underscores appended where a parameter has that name.
   double position_of(const std::string& variable, const std::vector<double>& q) const {
     for (std::size_t j = 0; j < q.size(); ++j)
       if (model::motions_over_coordinates(robot_).variables[j] == variable) return q[j];
@@ -183,14 +183,14 @@ class Both {
 
 class RobotMotions : public testing::Test {
  protected:
-  // The folder's robots, one after the other.
+  // Calls check(robot, both) for each robot of the folder; returns the number of robots.
   template <class Check>
   int for_each_robot(const path& folder, const Check& check) {
     int robots = 0;
     for (const path& document : documents(folder)) {
       SCOPED_TRACE(document.filename().string());
       const std::optional<model::KinematicTree> robot = robot_of(document);
-      // Motions have one variable each, and no loops.
+      // A motion has one variable, and motion documents have no loops.
       if (!robot || !robot->spherical_joints().empty() || !robot->loops.empty()) continue;
       const std::optional<model::RigidMotions> motions = read(motions_text(*robot));
       if (!motions) continue;

@@ -1,4 +1,4 @@
-// What drives cost in inverse dynamics.
+// The cost of drives in inverse dynamics.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using model::KinematicTree;
 using model::Quantity;
 
-// Chains whose links have all ten inertial parameters.
+// Chains in which every link has all ten inertial parameters.
 KinematicTree chain(std::uint64_t seed, int joints = 4) {
   RobotOptions options;
   options.min_joints = options.max_joints = joints;
@@ -39,7 +39,8 @@ KinematicTree chain(std::uint64_t seed, int joints = 4) {
   return robot;
 }
 
-// Multiplications, additions and divisions of inverse dynamics, all accelerations given, in the frames of the model.
+// Multiplications, additions and divisions of inverse dynamics with all accelerations given, in the model's link
+// frames.
 int operations(const KinematicTree& robot) {
   const std::string name = robot.floating_base ? "inverse_dynamics_fully_actuated" : "inverse_dynamics";
   for (algorithm::RobotFunction& f : algorithm::functions(robot, {}, "inverse_dynamics")) {
@@ -50,7 +51,7 @@ int operations(const KinematicTree& robot) {
   throw std::logic_error("no inverse dynamics");
 }
 
-// The last joint but one, and the links beside it.
+// Returns the last joint but one.
 int joint_of(const KinematicTree& robot) {
   return robot.parent_joint_of(robot.topological().back());
 }
@@ -66,7 +67,7 @@ KinematicTree geared(KinematicTree robot, int joint, int carrier, const std::opt
   return robot;
 }
 
-// Added by a rotor on the last joint but one.
+// Returns the number of operations that a rotor on the last joint but one adds.
 int cost(const KinematicTree& robot, const std::optional<Axis>& axis, int carrier) {
   return operations(geared(robot, joint_of(robot), carrier, axis)) - operations(robot);
 }
@@ -104,7 +105,8 @@ TEST(DriveCosts, ARotorAlongAnAxisOfItsCarrierTakesElevenOperations) {
   }
 }
 
-// Where the axis of the joint is fixed in the carrier, its bodies take a component of the rotor's momentum over.
+// Where the joint axis is fixed in the carrier, the inertias of the bodies include one component of the rotor's
+// momentum.
 TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsBesideItsJointAndTwentyEightElsewhere) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     const KinematicTree robot = chain(seed);
@@ -118,7 +120,8 @@ TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsBesideItsJointAndTwentyE
   }
 }
 
-// Four on an arm: on the parents of their joints, one of which turns about a fixed axis, and on a link further down.
+// Four rotors on an arm: three on the parents of their joints, one of which turns about a fixed axis, and one further
+// down.
 TEST(DriveCosts, RotorsAboutAnyAxesOnAnArmTakeNineteenOperationsEach) {
   constexpr int kJoints = 7;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -134,7 +137,7 @@ TEST(DriveCosts, RotorsAboutAnyAxesOnAnArmTakeNineteenOperationsEach) {
   }
 }
 
-// The joint's axis is normal to that of its parent, as in legs and arms: the component along it is what is left out.
+// The joint axis is normal to that of its parent, as in legs and arms: the component along the joint axis is left out.
 TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsWhereAxesAreNormal) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     KinematicTree robot = chain(seed);

@@ -1,11 +1,11 @@
-// A step in time of the fourth order.
+// A fourth-order time step.
 #pragma once
 
 #include "robcogen/reference/kinematics.h"
 
 namespace robcogen::numeric {
 
-// Over `h` seconds; `acceleration(q, qd)` is that of each coordinate.
+// Advances q and qd by `h` seconds; `acceleration(q, qd)` returns one element per coordinate.
 template <class Acceleration>
 void runge_kutta_step(
     double h,

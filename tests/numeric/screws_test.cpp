@@ -1,4 +1,4 @@
-// Helical joints: without a pitch they are revolute, and with one a turn to which a slide is coupled.
+// Helical joints: without a pitch they are revolute; with one they are a rotation to which a translation is coupled.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"
@@ -13,7 +13,7 @@ using model::KinematicTree;
 using model::Quantity;
 using reference::Vector;
 
-constexpr double kSame = 1e-10;  // of programs whose sums are rounded in another order, relative to the largest element
+constexpr double kSame = 1e-10;  // relative to the largest element; sums are rounded in another order
 
 double relative(const reference::Matrix<double>& found, const reference::Matrix<double>& wanted) {
   return reference::largest(found - wanted) / (1 + reference::largest(wanted));
@@ -33,7 +33,7 @@ void make_screw(model::Joint& joint, double pitch) {
   joint.pitch = Quantity(pitch);
 }
 
-// Dynamics of both robots in one random state.
+// Compares the dynamics of both robots in one random state.
 void expect_same(const KinematicTree& a, const KinematicTree& b, std::uint64_t seed) {
   const InterpretedRobot first(a, {}), second(b, {}, {});
   std::mt19937_64 engine(seed);
@@ -75,7 +75,7 @@ TEST(Screws, ApproachHingesAsThePitchVanishes) {
   EXPECT_NEAR(energy(1e-12), hinge, 1e-9);
 }
 
-// A slide without body in front of each screw, which becomes a hinge.
+// Adds a prismatic joint with a massless link in front of each screw, which becomes a revolute joint.
 KinematicTree with_slides(const KinematicTree& screws) {
   KinematicTree robot = screws;
   const auto count = static_cast<int>(robot.joints.size());

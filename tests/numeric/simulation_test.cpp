@@ -1,4 +1,4 @@
-// P3 over time: ten seconds of free motion, by the forward dynamics of the programs, keep energy and momentum.
+// P3 over time: ten seconds of free motion, by the forward dynamics of the programs, conserve energy and momentum.
 #include <gtest/gtest.h>
 
 #include "interpreted_robot.h"
@@ -19,7 +19,7 @@ constexpr double kDrift = 1e-8;  // relative to the energy that is exchanged
 
 const Vector<double> kGravity{0, 0, -9.81};  // world axes
 
-// The pose of the base in the world, which is the base frame where the base is fixed; and the motion in base
+// The pose of the base in the world, whose frame is the base frame if the base is fixed; and the motion in base
 // coordinates.
 struct State {
   Matrix<double> base = Matrix<double>::identity(4);
@@ -45,7 +45,7 @@ Motion<double> motion_of(const State& s) {
   return m;
 }
 
-// No joint forces, nothing else but gravity.
+// There are no joint forces; only gravity acts.
 State rate(const InterpretedRobot& robot, bool floating, const State& s) {
   const Vector<double> gravity = gravity_in_base(s);
   const Vector<double> accelerations =
@@ -99,7 +99,7 @@ State start(const KinematicTree& robot) {
 }
 
 double energy(const reflection::Robot& tables, const State& s) {
-  // The base origin's own height is not in the potential energy about it.
+  // The potential energy about the base origin does not include the height of that origin.
   double mass = 0;
   for (const reflection::Link& link : tables.links) mass += link.mass;
   return reference::kinetic_energy(tables, motion_of(s)) +
@@ -154,7 +154,7 @@ TEST(Simulation, EnergyAndMomentumOfAFallingRobotAreKept) {
     const double falling = mass * 9.81 * duration;  // the momentum that gravity gives
     EXPECT_LT(largest(after.tail(3) - before.tail(3) - mass * duration * kGravity), kDrift * falling)
         << "seed " << seed;
-    // About the centre of mass nothing turns it.
+    // No moment acts about the centre of mass.
     const Vector<double> spin_before = before.head(3) - cross(com_before, before.tail(3));
     const Vector<double> spin_after = after.head(3) - cross(com_after, after.tail(3));
     EXPECT_GT(largest(spin_before), 0.1) << "seed " << seed;

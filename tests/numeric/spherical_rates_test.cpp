@@ -1,5 +1,5 @@
-// Derivatives and rates of robots with spherical joints, against differences in long double of the functions that they
-// are the derivatives of: by turns of the child about its own axes, q (1, t / 2) for a small t.
+// Derivatives and rates of robots with spherical joints, compared with differences in long double of the functions
+// themselves. The child is rotated about its own axes: q (1, t / 2) for a small t.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,14 +20,14 @@ using Values = std::vector<Real>;
 using Arrays = symbolic::Arrays<Real>;
 
 constexpr int kRobots = 12;
-constexpr double kSame = 1e-9;  // a fourth-order difference of 1e-3, of functions with rates up to ten
+constexpr double kSame = 1e-9;  // for a fourth-order difference with step 1e-3, of functions with rates up to ten
 constexpr Real kStep = 1e-3L;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// Every other one with rotors and other drives on the joints that are left.
+// Every other robot has rotors and other drives on the remaining joints.
 KinematicTree robot_of(int number) {
   for (auto seed = static_cast<std::uint64_t>(number);; seed += kRobots) {
     const RobotOptions options = {.min_joints = 1, .max_joints = 5, .odd_documents = false};
@@ -38,7 +38,7 @@ KinematicTree robot_of(int number) {
   }
 }
 
-// The positions after a motion by `turn`, an element a velocity.
+// Returns the positions after a motion by `turn`, which has one element per velocity.
 Values moved(const KinematicTree& robot, const Values& q, const Values& turn) {
   Values result = q;
   const std::vector<int> elements = robot.position_elements();
@@ -113,7 +113,7 @@ class Subject {
     state["base_acceleration"] = some(6);
   }
 
-  // With gravity as argument. Base first, where it floats.
+  // Runs a function with gravity as argument. The base comes first, if it floats.
   Values run(const std::string& function, const Arrays& in, const std::string& output, const std::string& base = "")
       const {
     const auto& programs = robot_.programs();
@@ -129,14 +129,14 @@ class Subject {
     return values;
   }
 
-  // By one of the arrays of the state, moved along a direction.
+  // Returns the state with one of its arrays moved along a direction.
   Arrays changed(const std::string& array, const Values& along) const {
     Arrays result = state;
     result[array] = array == "q" ? moved(tree, state.at("q"), along) : state.at(array) + along;
     return result;
   }
 
-  // Columns by each velocity.
+  // Returns the derivative with respect to an array of the state, one column per velocity.
   Values columns(const std::string& function, const std::string& array, const char* output, const char* base) const {
     Values result;
     for (int k = 0; k < tree.dof(); ++k) {
@@ -149,7 +149,7 @@ class Subject {
     return result;
   }
 
-  // Along the state's own motion.
+  // Returns the rate of f along the state's own motion.
   template <class F>
   Values rate(const F& f) const {
     return difference([&](Real step) {
@@ -171,7 +171,7 @@ class Subject {
   InterpretedRobot robot_;
 };
 
-// The coordinates of a chain, from the name `left_Jd_qd_right`.
+// Returns the coordinates of a chain, given the name `left_Jd_qd_right`.
 std::vector<int> columns_of(const KinematicTree& tree, const std::string& name) {
   const std::string letters = "_Jd_qd_";
   const std::size_t place = name.find(letters);
@@ -188,7 +188,7 @@ TEST_P(SphericalRates, DerivativesAreThoseOfTheForces) {
   for (const std::string by : {"q", "qd", "qdd"}) {
     const Values found = s.run(forces + "_derivatives", s.state, "d_" + by);
     expect_same(found, s.columns(forces, by, "tau", "base_wrench"), "inverse dynamics by " + by);
-    // The gradient: weights times columns.
+    // The gradient is weights times columns.
     const Values gradient = s.run("inverse_dynamics_gradient", s.state, "d_" + by);
     const Values& weights = s.state.at("weights");
     Values product(at(s.tree.dof()), 0);
@@ -206,7 +206,8 @@ TEST_P(SphericalRates, DerivativesAreThoseOfTheForces) {
   }
 }
 
-// Rows by the first, columns by the second; turns about two axes do not commute.
+// Rows belong to the first input, columns to the second; the order matters because rotations about two axes do not
+// commute.
 TEST_P(SphericalRates, SecondDerivativesAreThoseOfTheGradient) {
   constexpr double kSameTwice = 1e-7;  // friction is smoothed over small velocities
   const Subject s(GetParam());
@@ -231,7 +232,7 @@ TEST_P(SphericalRates, CoriolisMatrixIsHalfTheRateOfInertia) {
   expect_same(sum, rate, "C + C'");
 }
 
-// dE/dt = tau qd - what damping takes.
+// dE/dt is the power of the joint forces minus that of the passive forces.
 TEST_P(SphericalRates, EnergyIsBalanced) {
   const Subject s(GetParam());
   if (s.tree.floating_base) return;

@@ -20,19 +20,19 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// The constant rotations in front of the three axes, about x: quarter turns.
+// The constant rotations about x in front of the three axes, in quarter turns.
 std::array<int, 3> quarters(const EulerRobot& euler) {
   return {euler.other ? 1 : 0, 1, -1};
 }
 
-// As intrinsic rotations about x, y', z''.
+// Returns a rotation as intrinsic rotations about x, y', z''.
 std::array<Quantity, 3> angles_of(const Matrix<double>& R) {
   const double cosine = std::hypot(R(0, 0), R(0, 1)), y = std::atan2(R(0, 2), cosine);
   if (cosine < 1e-9) return {Quantity(std::atan2(R(2, 1), R(1, 1))), Quantity(y), Quantity()};
   return {Quantity(std::atan2(-R(1, 2), R(2, 2))), Quantity(y), Quantity(std::atan2(-R(0, 1), R(0, 0)))};
 }
 
-// Rotation and its factors: the product of the first 2 k factors turns to the axis of joint k.
+// Element k < 3 is the rotation up to the axis of joint k; the last element is the whole rotation.
 template <class Scalar>
 std::array<Matrix<Scalar>, 4> products(const EulerRobot& euler, const std::array<Scalar, 3>& angles) {
   const double quarter = std::acos(-1.0) / 2;
@@ -47,7 +47,7 @@ std::array<Matrix<Scalar>, 4> products(const EulerRobot& euler, const std::array
   return result;
 }
 
-// Angular velocity in axes of the child, by the rates of the angles.
+// Maps the rates of the angles to the angular velocity in axes of the child.
 template <class Scalar>
 Matrix<Scalar> rates_to_velocity(const EulerRobot& euler, const std::array<Scalar, 3>& angles) {
   const std::array<Matrix<Scalar>, 4> R = products(euler, angles);
@@ -59,7 +59,7 @@ Matrix<Scalar> rates_to_velocity(const EulerRobot& euler, const std::array<Scala
   return E;
 }
 
-// w, x, y, z; the largest of them first, which no rotation has small.
+// Returns w, x, y, z. The largest element is computed first, because it is never small.
 std::array<double, 4> quaternion_of(const Matrix<double>& R) {
   const double t[4] = {
       R(0, 0) + R(1, 1) + R(2, 2), R(0, 0) - R(1, 1) - R(2, 2), R(1, 1) - R(0, 0) - R(2, 2),
@@ -118,7 +118,7 @@ EulerRobot with_euler_angles(const KinematicTree& spherical, bool other) {
     if (link.is_repeated) link.name += "_" + std::to_string(i);
     link.is_repeated = false;
   }
-  // At a pole its inertia matrix is singular: without the functions that divide by it.
+  // At a pole its inertia matrix is singular, so functions that divide by it are left out.
   euler.robot.inertia_defects.joints = {{euler.robot.topological().front(), false}};
   return euler;
 }

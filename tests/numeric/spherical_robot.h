@@ -8,15 +8,15 @@
 
 namespace robcogen::numeric {
 
-// Some joints of the robot become spherical ones, with drives or without.
+// Makes some joints of the robot spherical, with drives or without.
 model::KinematicTree with_spherical_joints(
     const model::KinematicTree& robot,
     std::uint64_t seed,
     bool have_drives = true);
 
-// A robot with spherical joints, and one whose joints `<name>_x`, `<name>_y`, `<name>_z` are revolute ones instead,
-// with massless links between them: R = Rz(a) Ry(-b) Rz(c), or with Rx(90) in front (`other`), so that the orientations
-// at their poles, where b is 0, are others.
+// A robot whose spherical joints are replaced by revolute joints `<name>_x`, `<name>_y`, `<name>_z` with massless links
+// between them: R = Rz(a) Ry(-b) Rz(c), or with Rx(90) in front (`other`), so that its pole, where b is 0, is at
+// another orientation.
 struct EulerRobot {
   model::KinematicTree robot;
   bool other = false;
@@ -25,10 +25,10 @@ EulerRobot with_euler_angles(const model::KinematicTree& spherical, bool other =
 
 using Positions = reference::Vector<double>;
 
-// What the angles of the revolute joints and their rates mean for the robot with spherical joints.
+// The state of the robot with spherical joints for given angles, rates and accelerations of the revolute joints.
 struct SphericalState {
   Positions q, qd, qdd;
-  reference::Matrix<double> G;  // qd of the spherical robot by that of the other one, without a base
+  reference::Matrix<double> G;  // qd of the spherical robot = G * qd of the other one, without a base
 };
 SphericalState spherical_state(
     const model::KinematicTree& spherical,
@@ -37,8 +37,8 @@ SphericalState spherical_state(
     const Positions& qd,
     const Positions& qdd);
 
-// The angles of the other kind for the orientations that those of the first kind make, which are not at a pole of
-// theirs.
+// Returns the angles of the other kind for the orientations that the given angles make. None of these orientations may
+// be a pole of the other kind.
 Positions other_angles(const model::KinematicTree& spherical, const EulerRobot& from, const Positions& q);
 
 }  // namespace robcogen::numeric

@@ -1,4 +1,4 @@
-// Spherical joints: against three revolute joints, also where these have their pole.
+// Spherical joints compared with three revolute joints, also at the poles of these.
 #include <gtest/gtest.h>
 
 #include "dice.h"
@@ -17,13 +17,13 @@ using reference::Motion;
 using reference::Vector;
 
 constexpr int kRobots = 24;
-constexpr double kSame = 1e-10;  // rates of the angles are up to 1 / sin of the middle one, at least 0.1
+constexpr double kSame = 1e-10;  // rates of the angles grow as 1 / sin of the middle one, which is at least 0.1
 
 double relative(const Matrix<double>& found, const Matrix<double>& wanted) {
   return reference::largest(found - wanted) / (1 + reference::largest(wanted));
 }
 
-// Not with a spherical joint that moves no inertia about some axis.
+// Excludes robots with a spherical joint that moves no inertia about some axis.
 KinematicTree robot_of(std::uint64_t seed) {
   for (std::uint64_t next = seed;; next += kRobots) {
     const RobotOptions options = {.min_joints = 2, .max_joints = 8, .odd_documents = seed % 2 == 0};
@@ -32,7 +32,7 @@ KinematicTree robot_of(std::uint64_t seed) {
   }
 }
 
-// Block diagonal: the base's six coordinates, where it floats, then G.
+// Block diagonal: the identity for the base's six coordinates, if it floats, then G.
 Matrix<double> with_base(const Matrix<double>& G, bool floating) {
   if (!floating) return G;
   Matrix<double> all(6 + G.rows(), 6 + G.cols());
@@ -41,7 +41,7 @@ Matrix<double> with_base(const Matrix<double>& G, bool floating) {
   return all;
 }
 
-// Both robots in one state.
+// Compares both robots in one state.
 class BothRobots {
  public:
   BothRobots(const KinematicTree& tree, const EulerRobot& euler, std::uint64_t seed)
@@ -51,7 +51,7 @@ class BothRobots {
         robot_(tree, desired_, seed % 4 == 0 ? all_steps() : std::vector<std::string>{}),
         euler_(euler.robot, desired_of(euler.robot), {}) {}
 
-  // `angles`, rates and accelerations of the revolute joints.
+  // `angles` holds the positions, rates and accelerations of the revolute joints.
   void compare(const Motion<double>& angles, const Vector<double>& gravity) {
     const SphericalState state = spherical_state(tree_, euler_tree_, angles.q, angles.qd, angles.qdd);
     Motion<double> m = angles;
@@ -86,7 +86,7 @@ class BothRobots {
   model::DesiredTransforms desired_;
   InterpretedRobot robot_, euler_;
 
-  // The frame of a spherical joint is that of the first revolute one where that has no rotation in front.
+  // A spherical joint shares its frame with the first revolute joint, unless that one has a rotation in front.
   static model::DesiredTransforms desired_of_both(
       const KinematicTree& tree,
       const EulerRobot& euler,
@@ -111,7 +111,7 @@ class BothRobots {
     return other.find_frame(frame.name) ? frame.name : frame.name + "_x";
   }
 
-  // Of the revolute joints, whose accelerations are not zero where those of the spherical ones are.
+  // Bias forces of the revolute joints: their accelerations are not zero when those of the spherical joints are.
   Vector<double> euler_bias(
       const Motion<double>& m,
       const Motion<double>& angles,
@@ -130,7 +130,7 @@ class BothRobots {
     EXPECT_LT(relative(robot_.coriolis_matrix(m) * velocity, robot_.coriolis_forces(m)), kSame);
   }
 
-  // Forward dynamics undoes inverse dynamics, by both methods.
+  // Forward dynamics inverts inverse dynamics, and the factor solves systems with H.
   void compare_accelerations(const Motion<double>& m, const Arguments& loads) const {
     const int n = tree_.dof();
     const Vector<double> tau = robot_.inverse_dynamics(m, loads).tail(n);
@@ -154,7 +154,7 @@ class BothRobots {
     }
   }
 
-  // Of G, by the coordinates of a chain in both robots.
+  // The part of G for the coordinates of a chain in both robots.
   static Matrix<double> part_of(const Matrix<double>& G, const reflection::Jacobian& a, const reflection::Jacobian& b) {
     Matrix<double> part(a.column_count, b.column_count);
     for (int r = 0; r < part.rows(); ++r)
@@ -177,7 +177,7 @@ Motion<double> random_motion(const KinematicTree& robot, std::uint64_t seed) {
   return m;
 }
 
-// At least so far from the pole, rad.
+// Moves the angles at least kLeast, in rad, away from the pole.
 void leave_pole(const KinematicTree& robot, Vector<double>& angles) {
   constexpr double kLeast = 0.1;
   for (const int first : robot.spherical_joints()) {
@@ -198,7 +198,7 @@ TEST_P(SphericalRobots, AreAsThreeRevoluteJoints) {
   if (HasFailure()) std::cout << "seed " << seed << "\n" << describe(robot);
 }
 
-// Textbook dynamics with poses as matrices, and identities.
+// Compares with textbook dynamics, which uses poses as matrices, and checks identities.
 TEST_P(SphericalRobots, AgreeWithTheReferenceAndWithThemselves) {
   const auto seed = static_cast<std::uint64_t>(GetParam());
   const RobotOptions options = {.min_joints = 2, .max_joints = 8, .odd_documents = seed % 2 == 0};
@@ -212,7 +212,7 @@ TEST_P(SphericalRobots, AgreeWithTheReferenceAndWithThemselves) {
   }
 }
 
-// Where one choice of angles has its pole, another one has none.
+// Where one choice of angles has its pole, the other one has none.
 TEST_P(SphericalRobots, PassThroughThePolesOfRevoluteJoints) {
   const auto seed = static_cast<std::uint64_t>(GetParam());
   const KinematicTree robot = robot_of(seed);

@@ -1,5 +1,5 @@
-// The programs of random robots as text: P10 literals read back as the same numbers, P11 the same text at every run and
-// in every locale, P13 the operations that are counted are those that stand in the C++ text.
+// Programs of random robots as text. P10: literals read back as the same numbers. P11: the text is the same in every
+// run and in every locale. P13: the operations that are counted are those of the C++ text.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -75,7 +75,8 @@ TEST(Text, ProgramsReadBackAsTheyWere) {
   }
 }
 
-// A decimal comma and points between thousands, for streams and, where the system has such a locale, for the C library.
+// A locale with a decimal comma and points between thousands, for streams and, if the system has such a locale, for the
+// C library.
 class GermanNumbers {
  public:
   GermanNumbers() : c_(std::setlocale(LC_ALL, nullptr)), cpp_(std::locale::global({std::locale(), new Comma})) {
@@ -129,8 +130,8 @@ TEST(Text, BranchesAreSeen) {
   EXPECT_FALSE(branches("const Scalar iffy = for_ce * q[0];"));
 }
 
-// The C++ text, read by a separate evaluator, has the results of the interpreter, to the last bit, with the
-// operations that are reported, and without a branch.
+// The C++ text, run by a separate evaluator, gives the results of the interpreter to the last bit, with the operations
+// that are reported and without a branch.
 TEST(Text, OfKernelsComputesAndCountsAsTheProgram) {
   for (int i = 0; i < robots(); ++i) {
     const std::uint64_t seed = kFirstSeed + static_cast<std::uint64_t>(i);

@@ -1,4 +1,4 @@
-// How many random robots and states the property tests take: few enough for every build, more on demand.
+// The number of random robots and states in property tests: few enough for every build, more on demand.
 #pragma once
 
 #include <cstdlib>
@@ -13,14 +13,14 @@
 
 namespace robcogen::numeric {
 
-// The environment variable `name` as a positive number, else the default.
+// Returns the environment variable `name` as a positive number, or the default.
 inline int volume(const char* name, int default_value) {
   const char* text = std::getenv(name);
   const int number = text == nullptr ? 0 : std::atoi(text);
   return number > 0 ? number : default_value;
 }
 
-// Sanitizers make a run ten times as long, and look for other faults than numbers.
+// With sanitizers a run takes ten times as long, and looks for faults other than wrong numbers.
 inline int robot_count() {
   return volume("ROBCOGEN_TEST_ROBOTS", ROBCOGEN_SANITIZED ? 200 : 2000);
 }

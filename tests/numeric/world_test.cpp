@@ -1,5 +1,5 @@
-// Functions of a base that has a pose in the world, on random robots, trees and loops, against the dense kinematics of
-// the reference in long double, turned by the pose; and against the rates of what they are rates of.
+// Functions of a base that has a pose in the world, on random robots, trees and loops, compared with the dense
+// kinematics of the reference in long double, rotated by the pose.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -43,7 +43,7 @@ Matrix twice(const Matrix& R) {
   return both;
 }
 
-// Rotations of base axes to world axes, by the quaternion's vector part (Rodrigues).
+// The rotation from base axes to world axes, from the vector part of the quaternion (Rodrigues).
 Matrix rotation_by(const reference::Vector<double>& q) {
   const Vector v{q(1), q(2), q(3)};
   const Matrix S = reference::skew(v);
@@ -52,7 +52,7 @@ Matrix rotation_by(const reference::Vector<double>& q) {
   return R;
 }
 
-// Every fourth robot has couplings, every fourth spherical joints, every fourth loops.
+// Of every four robots one has couplings, one has spherical joints, and one has loops.
 std::optional<KinematicTree> random_tree(std::uint64_t seed, std::vector<double>& parameters) {
   if (seed % 4 == 3) {
     Diagnostics diagnostics;
@@ -205,7 +205,7 @@ TEST(World, TheCentreOfMassAndTheMomentumAreThoseOfTheLinks) {
     const Matrix A = c.run("in_world_centroidal_momentum_matrix", 6), J = c.run("in_world_center_of_mass_jacobian", 3);
     EXPECT_LT(relative(A * c.velocity(), h), kDynamics);
     EXPECT_LT(relative(mass * J, A.block(3, 0, 3, A.cols())), kDynamics);
-    // Column by column, too: at unit velocities.
+    // Each column alone, from a unit velocity.
     const int base = c.tree.floating_base ? 6 : 0;
     for (int k = 0; k < A.cols(); ++k) {
       reference::Motion<Real> unit = c.motion;
@@ -219,8 +219,8 @@ TEST(World, TheCentreOfMassAndTheMomentumAreThoseOfTheLinks) {
   EXPECT_GT(compared, 30);
 }
 
-// What holds the robot where neither its joints nor its base accelerate: the force and the moment about the centre of
-// mass of all that acts from outside (Newton, Euler).
+// With zero joint and base accelerations, the rate of the centroidal momentum is the force and the moment about the
+// centre of mass that act from outside (Newton, Euler).
 TEST(World, TheBiasOfTheMomentumIsWhatActsFromOutside) {
   const int compared = for_each_case("world_centroidal", [](const Case& c) {
     if (!c.has("in_world_centroidal_momentum_bias") || !c.tree.floating_base) return 0;

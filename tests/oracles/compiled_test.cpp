@@ -1,4 +1,4 @@
-// The compiled code of one robot, judged on its exported URDF. Compiled once a robot, with the definitions of
+// The compiled code of one robot, judged on its exported URDF. Compiled once per robot, with the definitions of
 // robcogen/reference's self-check, and
 //     ROBOT   the robot's target
 //     URDF    path
@@ -17,14 +17,14 @@ namespace {
 
 const Decisions kDecisions = {
     {
-        // KDL's roots are fixed.
+        // KDL supports only fixed bases.
         {"KDL", "quadruped", "no floating base"},
         {"KDL", "centaur", "no floating base"},
         {"KDL", "humanoid", "no floating base"},
         {"KDL chain", "quadruped", "no floating base"},
         {"KDL chain", "centaur", "no floating base"},
         {"KDL chain", "humanoid", "no floating base"},
-        // They branch.
+        // These robots branch.
         {"KDL chain", "tree5", "one chain"},
         {"KDL chain", "quadruped_fixed", "one chain"},
     },

@@ -1,5 +1,5 @@
-// The import of URDFs: the imported robot, run by the interpreter, compared with other libraries on the same
-// file. The files are those beside this one, and URDFs from the field where there are any.
+// The import of URDFs: the imported robot, run in the interpreter, compared with other libraries on the same file. The
+// files are those in this folder, and published URDFs if there are any.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,13 +14,13 @@ namespace {
 using model::KinematicTree;
 using std::filesystem::path;
 
-// MuJoCo takes a rotation to principal axes for complete when its cosine is 1 - 1e-12, some 1e-6 rad: that shows in the
-// results where tensors have products of inertia.
+// MuJoCo accepts a rotation to principal axes when its cosine is 1 - 1e-12, which is about 1e-6 rad. The error is
+// visible in the results for tensors with products of inertia.
 constexpr double kPrincipalAxes = 1e-6;
 
 const Decisions kDecisions = {
     {
-        // KDL's roots are fixed.
+        // KDL supports only fixed bases.
         {"KDL", "a1_floating", "no floating base"},
         {"KDL", "floating_tree", "no floating base"},
         {"KDL", "hyq_no_sensors_floating", "no floating base"},
@@ -33,7 +33,7 @@ const Decisions kDecisions = {
         {"KDL chain", "simple_humanoid_floating", "no floating base"},
         {"KDL chain", "solo12_floating", "no floating base"},
         {"KDL chain", "talos_reduced_floating", "no floating base"},
-        // They branch; some only in bodies on fixed joints, which KDL keeps as segments.
+        // These robots branch; some only in bodies on fixed joints, which KDL keeps as segments.
         {"KDL chain", "a1", "one chain"},
         {"KDL chain", "allegro_left_hand", "one chain"},
         {"KDL chain", "fixed_tree", "one chain"},
@@ -44,11 +44,11 @@ const Decisions kDecisions = {
         {"KDL chain", "simple_humanoid", "one chain"},
         {"KDL chain", "solo12", "one chain"},
         {"KDL chain", "talos_reduced", "one chain"},
-        // urdfdom, which reads for them, asks for limits of revolute joints.
+        // urdfdom, which reads the file for these libraries, requires limits of revolute joints.
         {"KDL", "iiwa14", "urdfdom refuses the URDF"},
         {"KDL chain", "iiwa14", "urdfdom refuses the URDF"},
         {"DART", "iiwa14", "refuses the URDF"},
-        // MuJoCo asks for mass properties of real bodies.
+        // MuJoCo requires mass properties that are physical.
         {"MuJoCo", "allegro_left_hand", "inertia must satisfy A + B >= C"},
         {"MuJoCo", "hyq_no_sensors", "inertia must satisfy A + B >= C"},
         {"MuJoCo", "hyq_no_sensors_floating", "inertia must satisfy A + B >= C"},
@@ -86,7 +86,7 @@ void register_file(const path& file, bool floating) {
 int main(int argc, char** argv) {
   using namespace robcogen::oracles;
   testing::InitGoogleTest(&argc, argv);
-  // Those of which the root is a body that can float.
+  // Robots whose root is a body that can float.
   const std::set<std::string> floating = {"a1", "hyq_no_sensors", "simple_humanoid", "solo12", "talos_reduced"};
   for (const auto& file : urdfs_in({TEST_SOURCE_DIR, ROBCOGEN_MODELS_DIR})) {
     register_file(file, false);

@@ -13,15 +13,15 @@ namespace {
 
 using peers::Quantity;
 
-// Largest error relative to the largest element of the quantity: two programs in double precision, some dozens of
-// links, accelerations of light links on heavy ones. An error of a model is millions of times larger.
+// Largest error relative to the largest element of the quantity, for two programs in double precision, some dozens of
+// links, and light links on heavy ones. An error in a model is millions of times larger.
 constexpr double kAgreement = 1e-9;
 constexpr int kStates = 100;
 constexpr std::uint64_t kSeed = 31;
 
 struct Library {
   std::string name;
-  std::string package;  // of Debian
+  std::string package;  // Debian's
   std::vector<Quantity> quantities;
 };
 
@@ -85,7 +85,7 @@ std::vector<peers::State> converted(const std::vector<State>& states) {
   return result;
 }
 
-// With a column for each joint: zero for those that are not of the chain.
+// Has a column for each joint, which is zero if the joint is not in the chain.
 Eigen::MatrixXd full_jacobian(const Judged& robot, int index, const reference::Vector<double>& q) {
   const reflection::Jacobian& what = robot.tables.jacobians[index];
   const Eigen::MatrixXd narrow = to_eigen(robot.jacobian(index, q));
@@ -102,7 +102,7 @@ bool is_base(const reflection::Frame& frame) {
          std::all_of(frame.rotation, frame.rotation + 3, is_zero);
 }
 
-// A user frame is a link of the URDF, and so is the frame fr_<link> of a link.
+// In the URDF a user frame is a link; the frame fr_<link> of a link is that link.
 std::string urdf_link(const reflection::Robot& robot, const reflection::Frame& frame) {
   for (const reflection::Link& link : robot.links) {
     if (frame.name == std::string("fr_") + link.name) return link.name;
@@ -142,7 +142,7 @@ peers::Candidate load(
   throw std::logic_error("no library " + library.name);
 }
 
-// The worst of all states; not a number when one result is none.
+// The worst error of all states; NaN if a result is not finite or has another shape.
 double worst_error(
     peers::Peer& peer,
     Quantity quantity,
@@ -192,7 +192,7 @@ class JudgeTest : public testing::Test {
   }
 
  private:
-  // Null when there is nothing to judge with, which has been reported then if it is wrong.
+  // Returns nullptr if there is nothing to judge with. If that is a fault, it has been reported.
   std::unique_ptr<peers::Peer> agreed_load(
       const Judged& robot,
       const reference::Vector<double>& gravity,

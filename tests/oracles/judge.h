@@ -17,27 +17,27 @@ namespace robcogen::oracles {
 struct Judged {
   std::string urdf;  // path
   reflection::Robot tables;
-  // In the conventions of peers::Peer::result; not of Jacobians. `tau` belongs to forward dynamics.
+  // Follows the conventions of peers::Peer::result; not used for Jacobians. `tau` is for forward dynamics.
   std::function<Eigen::MatrixXd(
       peers::Quantity,
       const reference::Motion<double>&,
       const reference::Vector<double>& tau,
       const reference::Vector<double>& gravity)>
       dynamics;
-  // By index into the tables.
+  // `index` refers to the tables.
   std::function<reference::Matrix<double>(int index, const reference::Vector<double>& q)> jacobian;
-  // The names of joints and links in the URDF, when they are not identifiers; by the names in the tables.
+  // Names of joints and links in the URDF that are not identifiers, by their names in the tables.
   std::map<std::string, std::string> urdf_names = {};
 };
 
-// Robots that a library cannot represent, by decision: an unexpected refusal fails, an unexpected success too.
+// Robots that a library is known not to represent: an unexpected refusal is a failure, and so is an unexpected success.
 struct Refusal {
   std::string library;
   std::string robot;
-  std::string reason;  // a part of the message; a comment at the table says why it is right
+  std::string reason;  // a part of the message; a comment at the table says why it is justified
 };
 
-// Cases in which a library is less exact than others; a comment at the table says why.
+// Cases in which a library is less accurate than others; a comment at the table says why.
 struct Tolerance {
   std::string library;
   std::string robot;
@@ -49,8 +49,8 @@ struct Decisions {
   std::vector<Tolerance> tolerances;
 };
 
-// A test <robot>.<library> for each library: every quantity that it has, over random states, with standard gravity and
-// with another. `make` is called when the test runs; the decisions outlive the tests.
+// Registers a test <robot>.<library> for each library: every quantity that it has, over random states, with standard
+// gravity and with another one. `make` is called when the test runs; `decisions` must outlive the tests.
 void register_tests(const std::string& robot, const std::function<Judged()>& make, const Decisions& decisions);
 
 inline Eigen::MatrixXd to_eigen(const reference::Matrix<double>& m) {

@@ -1,5 +1,5 @@
-// MuJoCo as judge of robots with loops: it holds the loops of the same tree closed by soft constraints, which come
-// arbitrarily near to what is exact here.
+// MuJoCo as the judge of robots with loops. It holds the loops of the same tree closed by soft constraints, which
+// approach the exact solution of this project as closely as required.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -97,8 +97,8 @@ class LoopsInMujoco : public testing::TestWithParam<std::string> {
     model_.reset(mj_loadXML(file.c_str(), &files, error, sizeof error));
     mj_deleteVFS(&files);
     if (!model_) throw std::runtime_error(error + text);
-    // In the order of the file. Where the frames are, not where MuJoCo finds the second one in the document's drawing,
-    // where loops need not be closed.
+    // Constraints are in the order of the file. The anchors are set to the frames, because MuJoCo derives the second
+    // one from the drawn position, in which loops need not be closed.
     int tendon = 0;
     for (int k = 0; k < model_->neq; ++k) {
       mjtNum* data = model_->eq_data + k * mjNEQDATA;
@@ -111,7 +111,7 @@ class LoopsInMujoco : public testing::TestWithParam<std::string> {
     data_.reset(mj_makeData(model_.get()));
   }
 
-  // The share of each constraint that holds, whatever its error: the rest is soft.
+  // Sets the share of each constraint that holds, independent of its error; the rest is soft.
   void hold(double share, double frequency) {
     for (int k = 0; k < model_->neq; ++k) {
       for (int i = 0; i < 2; ++i) model_->eq_solimp[k * mjNIMP + i] = share;
@@ -124,7 +124,7 @@ class LoopsInMujoco : public testing::TestWithParam<std::string> {
     return model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, tables_.joints[joint].name)];
   }
 
-  // Of all joints.
+  // Sets the positions and velocities of all joints.
   void set(const Motion<double>& motion) {
     Motion<double> at_loops = motion;
     const reference::AtLoops closed(tables_, at_loops);
@@ -153,8 +153,8 @@ class LoopsInMujoco : public testing::TestWithParam<std::string> {
   std::unique_ptr<mjData, Deleter> data_;
 };
 
-// At rest, where its constraints say what the loops do but for their softness: accelerations come nearer with what is
-// not held, and from three of them follows what is exact.
+// At rest, the constraints act as the loops do except for their softness: accelerations approach the exact ones as the
+// softness vanishes, and extrapolation from three of them gives the exact ones.
 TEST_P(LoopsInMujoco, AccelerateAsItsSoftConstraintsDoInTheLimit) {
   constexpr double kSoft = 1e-2, kExtrapolated = 1e-6;
   std::mt19937_64 engine(5);
@@ -164,7 +164,7 @@ TEST_P(LoopsInMujoco, AccelerateAsItsSoftConstraintsDoInTheLimit) {
     const Motion<double> motion = reference::at_rest(sample.motion.q);
     const Vector<double> tau = reference::uniform_vector(engine, tables_.dof(), 10.0);
     const Vector<double> expected = acceleration(motion, tau);
-    // Of once, twice and three times the same softness.
+    // `times` is a multiple of the softness: once, twice and three times.
     const auto found = [&](int times) {
       mj_resetData(model_.get(), data_.get());
       set(motion);
@@ -181,7 +181,8 @@ TEST_P(LoopsInMujoco, AccelerateAsItsSoftConstraintsDoInTheLimit) {
   }
 }
 
-// Half a second of motion under gravity, by Runge-Kutta steps here and there. Springs keep it where the loops are open.
+// Half a second of motion under gravity, by Runge-Kutta steps in both programs. Springs keep the loops away from flat
+// positions.
 TEST_P(LoopsInMujoco, MoveAsItsStiffConstraintsLetThem) {
   constexpr double kNear = 1e-5;
   Motion<double> motion = reference::at_rest(Vector<double>(tables_.dof()));

@@ -1,5 +1,5 @@
-// Mimic joints: the imported robot, whose coordinates are those of the other joints, against other libraries that move
-// all joints of the same file freely. With q = G y + c, read from the file by urdfdom, theirs reduce to
+// Mimic joints: the imported robot, whose coordinates are those of the other joints, compared with libraries that move
+// all joints of the same file freely. With q = G y + c, read from the file by urdfdom, their results reduce to
 //     tau_y = G' tau(G y + c, G yd, G ydd),   H_y = G' H G,   ydd = H_y^-1 (tau_y - bias_y),   J_y = J G.
 #include <gtest/gtest.h>
 #include <urdf_model/model.h>
@@ -22,8 +22,8 @@ using model::KinematicTree;
 using peers::Quantity;
 using std::filesystem::path;
 
-// Largest error relative to the largest element of the quantity. MuJoCo takes a rotation to principal axes for complete
-// when its cosine is 1 - 1e-12, some 1e-6 rad.
+// Largest error relative to the largest element of the quantity. MuJoCo accepts a rotation to principal axes when its
+// cosine is 1 - 1e-12, which is about 1e-6 rad.
 constexpr double kAgreement = 1e-9, kPrincipalAxes = 1e-6;
 constexpr int kStates = 20;
 const Eigen::Vector3d kGravity(3, -1, 7);
@@ -35,7 +35,7 @@ struct Reduction {
   VectorXd c;
 };
 
-// A joint as a row of factors and an offset, following whatever it mimics to its end.
+// Returns a joint as a row of factors and an offset, following chains of mimic joints to their end.
 std::pair<Eigen::RowVectorXd, double> row_of(
     const urdf::ModelInterface& robot,
     const std::string& joint,
@@ -93,7 +93,7 @@ class MimicRobot {
         names_(changed_names(contents(file_))) {
     const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file_.string());
     if (!model) throw std::runtime_error("urdfdom refuses " + file_.string());
-    // A joint that has the name of a link is imported by another name.
+    // A joint with the name of a link is imported under another name.
     const auto joint_name = [&](const model::Joint& joint) {
       const std::string name = urdf_name(joint.name), suffix = "_joint";
       return model->getJoint(name) || !name.ends_with(suffix) ? name : name.substr(0, name.size() - suffix.size());
@@ -113,7 +113,7 @@ class MimicRobot {
 
   int coupled() const { return static_cast<int>(all_.size()) - tree_.dof(); }
 
-  // Compares what a library has; false where it does not read the file.
+  // Compares everything that a library has; false if it does not read the file.
   bool agrees_with(const std::string& library, double tolerance) {
     const auto peer = load(library, kGravity, "");
     if (!peer) return false;
@@ -130,7 +130,7 @@ class MimicRobot {
   KinematicTree tree_;
   numeric::InterpretedRobot robot_;
   std::map<std::string, std::string> names_;
-  std::vector<std::string> all_;  // joints, as the file calls them
+  std::vector<std::string> all_;  // joints, as they are called in the file
   Reduction reduction_;
   std::vector<reference::Motion<double>> motions_;
   std::vector<reference::Vector<double>> forces_;
@@ -147,7 +147,7 @@ class MimicRobot {
     return nullptr;
   }
 
-  // The state of the free robot.
+  // Sets the state of the free robot.
   void prepare(peers::Peer& peer, const reference::Motion<double>& m) const {
     const auto none = VectorXd::Zero(static_cast<Eigen::Index>(all_.size()));
     const VectorXd q = reduction_.G * to_eigen(m.q) + reduction_.c;
@@ -168,7 +168,7 @@ class MimicRobot {
     return (found - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
   }
 
-  // Not of robots, or their parts, without mass.
+  // Robots without mass, or with parts without mass, lack some functions.
   bool has(const std::string& function) const { return robot_.programs().contains(function); }
 
   static void expect(const char* what, double error, double tolerance) {
@@ -206,7 +206,7 @@ class MimicRobot {
     if (has_inertia && has("forward_dynamics")) expect("forward dynamics", of_qdd, tolerance);
   }
 
-  // Of all leaves.
+  // Compares the Jacobians of all leaves.
   void compare_jacobians(const std::string& library) const {
     double worst = 0;
     const reflection::Robot tables = robot_.tables();
@@ -231,7 +231,7 @@ class MimicRobot {
 const path kModels = ROBCOGEN_MODELS_DIR, kUrdfs = ROBCOGEN_URDFS_DIR;
 const path kOwn = path(TEST_SOURCE_DIR) / "mimic_tree.urdf";
 
-// Where it may be missing, it judges nothing.
+// True if the library must judge. A library that may be missing, and is, judges nothing.
 bool is_installed(const std::string& library) {
   for (const peers::Candidate& candidate : peers::load({kOwn.string(), {}, false, {0, 0, -9.81}, ""}))
     if (candidate.library == library) return candidate.installed || REQUIRE_ORACLES;
@@ -272,7 +272,7 @@ TEST(MimicJoints, OfPandasFingers) {
   expect_reduction(kModels / "panda.urdf", false, 1, {"KDL", "DART", "MuJoCo"});
 }
 
-// Of the reduced Talos, whose fingers mimic the joints of the grippers but are fixed: with fingers that move.
+// The reduced Talos, whose fingers mimic the joints of the grippers but are fixed: returns it with fingers that move.
 std::string with_moving_fingers(std::string urdf) {
   const std::string fixed = "type=\"fixed\"";
   for (std::size_t at = urdf.find("<mimic "); at != std::string::npos; at = urdf.find("<mimic ", at + 1)) {
@@ -283,7 +283,7 @@ std::string with_moving_fingers(std::string urdf) {
   return urdf;
 }
 
-// MuJoCo refuses inertia tensors of the file.
+// MuJoCo refuses some inertia tensors of the file.
 TEST(MimicJoints, OfTalosGrippers) {
   const path file = kModels / "talos_reduced.urdf";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
@@ -292,7 +292,7 @@ TEST(MimicJoints, OfTalosGrippers) {
   expect_reduction(changed.name(), true, 12, {"DART"});
 }
 
-// The file has no mimic joints: hands of this kind have the last joint of each finger follow the one before.
+// The file has no mimic joints. In hands of this kind the last joint of a finger follows the one before it.
 TEST(MimicJoints, OfAllegroWithCoupledFingers) {
   const path file = kModels / "allegro_left_hand.urdf";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
@@ -307,7 +307,7 @@ TEST(MimicJoints, OfAllegroWithCoupledFingers) {
   expect_reduction(TemporaryFile("allegro", urdf).name(), false, 3, {"KDL", "DART"});
 }
 
-// Whatever else there is: each against at least one library.
+// All other files, each compared with at least one library.
 TEST(MimicJoints, OfRobotsFromTheField) {
   int robots = 0;
   for (const path& file : urdfs_in({kUrdfs})) {

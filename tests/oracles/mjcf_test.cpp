@@ -1,5 +1,5 @@
-// The import of MJCF: the imported robot, and its robot document read again, run by the interpreter, compared with
-// MuJoCo on the same file. The files are those of the folder mjcf, and those that the program's arguments name.
+// The import of MJCF: the imported robot, and its robot document when read again, run in the interpreter and compared
+// with MuJoCo on the same file. The files are those of the folder mjcf, and those that the program's arguments name.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -28,9 +28,9 @@ using model::Frame;
 using model::KinematicTree;
 using std::filesystem::path;
 
-// Relative to the largest element: two programs in double precision.
+// Relative to the largest element, for two programs in double precision.
 constexpr double kAgreement = 1e-9;
-// MuJoCo takes a rotation to principal axes for complete when its cosine is 1 - 1e-12.
+// MuJoCo accepts a rotation to principal axes when its cosine is 1 - 1e-12.
 constexpr double kPrincipalAxes = 1e-6;
 constexpr int kStates = 50;
 constexpr std::uint64_t kSeed = 17;
@@ -55,7 +55,7 @@ KinematicTree imported(const path& file) {
   return robot->tree;
 }
 
-// Of the robot document that `convert` writes.
+// Returns the tree of the robot document that `convert` writes.
 KinematicTree converted(const KinematicTree& tree) {
   Diagnostics diagnostics;
   const std::string text =
@@ -69,7 +69,7 @@ KinematicTree converted(const KinematicTree& tree) {
   return *std::move(robot);
 }
 
-// From the base to every user frame.
+// Transforms from the base to every user frame.
 model::DesiredTransforms to_user_frames(const KinematicTree& tree) {
   model::DesiredTransforms desired;
   const std::vector<Frame> frames = tree.frames();
@@ -109,8 +109,8 @@ class MjcfTest : public testing::Test {
 
   int base() const { return floating_ ? 6 : 0; }
 
-  // The velocities v of MuJoCo's joints, the base first, follow from those of the coordinates: v = G y. MuJoCo's
-  // couplings are constraints; here they are taken from its tables.
+  // The velocities v of MuJoCo's joints, the base first, follow from those of the coordinates: v = G y. In MuJoCo
+  // couplings are constraints; here they are read from its tables.
   void find_couplings(const KinematicTree& tree) {
     const int n = base() + tree.dof();
     G_ = MatrixXd::Zero(model_->nv, n);
@@ -122,7 +122,7 @@ class MjcfTest : public testing::Test {
       const int joint = tree.couplings.empty() ? -1 : mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
       G_(joint < 0 ? base() + i : model_->jnt_dofadr[joint], base() + i) = 1.0;
     }
-    // As often as a chain of couplings may be long.
+    // Repeated as often as the longest possible chain of couplings requires.
     for (int k = 0; k < model_->neq * model_->neq; ++k) {
       const int i = k % model_->neq, joint = model_->eq_obj1id[i], followed = model_->eq_obj2id[i];
       if (tree.couplings.empty() || model_->eq_type[i] != mjEQ_JOINT) continue;
@@ -136,7 +136,7 @@ class MjcfTest : public testing::Test {
     }
   }
 
-  // Without the scalar parts of quaternions: one a velocity.
+  // Returns one element per velocity: the scalar parts of quaternions are left out.
   static VectorXd coordinates(const reflection::Robot& tables, const VectorXd& q) {
     VectorXd result(tables.dof());
     for (int j = 0; j < tables.dof(); ++j) result(j) = q(tables.position_of(j));
@@ -145,8 +145,8 @@ class MjcfTest : public testing::Test {
 
   VectorXd full(const VectorXd& joints) const { return G_.rightCols(joints.size()) * joints; }
 
-  // The base is at the origin, and its axes are those of the world. Its velocity is that of the origin, then the
-  // angular one.
+  // The base is at the origin, and its axes are those of the world. MuJoCo has the velocity of the origin first, then
+  // the angular velocity.
   void set_state(
       const reflection::Robot& tables,
       const reference::Motion<double>& m,
@@ -160,7 +160,7 @@ class MjcfTest : public testing::Test {
       data_->qpos[3] = 1.0;
       for (int k = 0; k < 3; ++k) data_->qvel[k] = base(k + 3), data_->qvel[k + 3] = base(k);
     }
-    // Balls stand in the order of the file, here and there.
+    // Ball joints are in the order of the file in both programs.
     std::vector<int> quaternions;
     for (int j = 0; j < tables.dof(); ++j)
       if (tables.joints[j].type == JointType::spherical && !tables.is_follower(j))
@@ -180,7 +180,7 @@ class MjcfTest : public testing::Test {
     if (G_.rows() == G_.cols()) std::copy(force.begin(), force.end(), data_->qfrc_applied + (floating_ ? 6 : 0));
   }
 
-  // Angular part first.
+  // Moves the angular part to the front.
   VectorXd reordered(const mjtNum* vector) const {
     VectorXd result = Eigen::Map<const VectorXd>(vector, model_->nv);
     if (floating_) result.head<3>().swap(result.segment<3>(3));
@@ -206,14 +206,14 @@ class MjcfTest : public testing::Test {
     const reference::Vector<double> gravity{g(0), g(1), g(2)};
     const reference::Arguments arguments{&gravity, nullptr};
 
-    // The acceleration of the base's origin differs from the spatial one (Featherstone 2008, sec. 2.11).
+    // The classical acceleration of the base's origin differs from the spatial one (Featherstone 2008, sec. 2.11).
     VectorXd excess = VectorXd::Zero(G_.cols());
     const VectorXd velocity = to_eigen(motion.base_velocity);
     if (floating_) excess.segment<3>(3) = Vector3d(velocity.head<3>()).cross(Vector3d(velocity.tail<3>()));
 
     const MatrixXd H = to_eigen(robot.joint_space_inertia(motion.q));
     expect_near("inertia matrix", H, G_.transpose() * inertia() * G_);
-    // MuJoCo's friction is a constraint, which is off.
+    // Friction is a constraint in MuJoCo, and constraints are off.
     VectorXd friction(model_->nv);
     for (int i = 0; i < model_->nv; ++i)
       friction(i) = model_->dof_frictionloss[i] * (data_->qvel[i] > 0 ? 1.0 : data_->qvel[i] < 0 ? -1.0 : 0.0);
@@ -221,7 +221,7 @@ class MjcfTest : public testing::Test {
     const VectorXd theirs = G_.transpose() * (reordered(data_->qfrc_bias) - reordered(data_->qfrc_passive));
     const VectorXd lost = G_.transpose() * friction;
     expect_near("bias forces", bias, theirs + lost + H * excess);
-    // With the friction taken from the forces.
+    // The friction is subtracted from the forces.
     reference::Vector<double> applied = tau;
     for (int j = 0; j < tau.rows(); ++j) applied(j) += lost(j + base());
     const VectorXd acceleration = to_eigen(robot.forward_dynamics(motion, applied, arguments));

@@ -1,4 +1,4 @@
-// The state of a floating robot in MuJoCo's arrays: the robot moves and stands there as it does here.
+// The state of a floating robot in MuJoCo's arrays: the robot moves and stands there as it does in this project.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 #include <quadruped/quadruped.h>
@@ -20,7 +20,7 @@ namespace {
 using Robot = quadruped::Robot;
 using State = robcogen::State<Robot>;
 
-// Relative to the largest element: two programs in double precision, light links on heavy ones.
+// Relative to the largest element, for two programs in double precision, with light links on heavy ones.
 constexpr double kAgreement = 1e-9;
 constexpr int kStates = 100;
 constexpr int kDof = quadruped::kDof;
@@ -49,7 +49,7 @@ class PoseInMujoco : public ::testing::Test {
     return *match.order;
   }
 
-  // Quaternions of any length and sign.
+  // Draws a random state, with quaternions of any length and sign.
   void randomise(std::mt19937_64& engine) {
     for (int i = 0; i < model_->nq; ++i) data_->qpos[i] = reference::uniform(engine, 2.0);
     for (int i = 0; i < model_->nv; ++i) data_->qvel[i] = reference::uniform(engine, 2.0);
@@ -123,7 +123,7 @@ TEST_F(PoseInMujoco, JacobiansWithBaseAgree) {
   }
 }
 
-// Of generated functions: the Jacobian and the motion of a foot, the centre of mass and the momentum.
+// Compares generated functions: the Jacobian and the motion of a foot, the centre of mass, and the momentum.
 TEST_F(PoseInMujoco, FramesMoveInTheWorldAsTheyDo) {
   namespace world = quadruped::world;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -131,7 +131,7 @@ TEST_F(PoseInMujoco, FramesMoveInTheWorldAsTheyDo) {
   const int body = mj_name2id(model_.get(), mjOBJ_BODY, "LF_lowerleg");
   const int trunk = mj_name2id(model_.get(), mjOBJ_BODY, "trunk");
   ASSERT_GE(trunk, 0);
-  // Theirs of the base are the velocity in world axes, then the angular velocity.
+  // MuJoCo's columns of the base are the velocity in world axes, then the angular velocity.
   const auto columns = [&](const auto& J, const Eigen::Matrix3d& R) {
     Eigen::Matrix<double, Eigen::Dynamic, 6 + kDof> result(J.rows(), 6 + kDof);
     result.template leftCols<3>() = J.template middleCols<3>(3) * R.transpose();
@@ -154,7 +154,7 @@ TEST_F(PoseInMujoco, FramesMoveInTheWorldAsTheyDo) {
     const Vector6 velocity = world::velocity_fr_LF_foot(s.q, s.qd, s.pose, s.base_velocity);
     EXPECT_LT((velocity - theirs * velocities).norm(), kAgreement * (1 + velocity.norm()));
 
-    // From the body's origin to the foot; MuJoCo's accelerations carry gravity.
+    // From the body's origin to the foot; MuJoCo's accelerations include gravity.
     Vector6 origin;
     mj_objectAcceleration(model_.get(), data_.get(), mjOBJ_XBODY, body, origin.data(), 0);
     const Eigen::Vector3d arm = foot - Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * body);
@@ -185,7 +185,7 @@ TEST_F(PoseInMujoco, FramesMoveInTheWorldAsTheyDo) {
   }
 }
 
-// MuJoCo moves the origin along the velocity at the start, in a straight line; turns are the same.
+// MuJoCo moves the origin in a straight line along the initial velocity; rotations are the same.
 TEST_F(PoseInMujoco, OrientationsTurnEqually) {
   std::mt19937_64 engine(43);
   for (int i = 0; i < kStates; ++i) {

@@ -1,17 +1,17 @@
-# A folder of tool/ includes only its own headers and those of the folders that its library links. The linker does not
-# check this: all objects are in one executable.
+# Files in a folder of tool/ include only headers of that folder and of the libraries that its library links. The linker
+# does not check this, because one executable contains all objects.
 #
 # cmake -D ARROWS=list -D ROOMS=list -D SOURCE_DIR=dir -P arrows.cmake
-# ARROWS: a word for each library: its name and those of the libraries that it links, with commas between.
-# ROOMS: a word for each folder inside a library: the folder, and those of its neighbours whose headers it includes. All
-# of them see the headers that stand in no folder.
+# ARROWS: a word for each library: its name and the names of the libraries that it links, separated by commas.
+# ROOMS: a word for each folder inside a library: the folder and the neighbours whose headers it includes. All folders
+# may include the library's headers that are in no folder.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(prefix robcogen_)
 set(violations "")
 
-# Collects the includes of the files in a folder of tool/ that begin with `start` and continue with none of `allowed`.
+# Collects the includes in a folder of tool/ that begin with `start` but do not continue with one of `allowed`.
 function(collect_violations folder start)
   set(allowed ${ARGN})
   file(GLOB_RECURSE files ${SOURCE_DIR}/tool/${folder}/*.h ${SOURCE_DIR}/tool/${folder}/*.cpp)
@@ -32,7 +32,7 @@ function(collect_violations folder start)
   set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
-# A library comes after those that it links: their headers are known.
+# A library comes after the libraries that it links, so their allowed headers are known.
 separate_arguments(ARROWS)
 foreach(arrow IN LISTS ARROWS)
   string(REPLACE "," ";" libraries "${arrow}")
@@ -46,7 +46,7 @@ foreach(arrow IN LISTS ARROWS)
   collect_violations(${folder} "" ${allowed_${folder}})
 endforeach()
 
-# The folders inside a library follow one another too.
+# The folders inside a library are in such an order, too.
 separate_arguments(ROOMS)
 foreach(room IN LISTS ROOMS)
   string(REPLACE "," ";" neighbours "${room}")

@@ -1,5 +1,5 @@
-# Wrong calls and their messages. Each file of calls/ opens with the expected message in comment lines, in which
-# @DIR@ is the folder of the call; the configuration must fail with that message and no other.
+# Wrong calls and their messages. Each file of calls/ begins with the expected message in comment lines, in which @DIR@
+# is the folder of the call; the configuration must fail with exactly that message.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P calls.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -23,7 +23,7 @@ foreach(call IN LISTS calls)
   cmake_path(GET call STEM name)
   set(directory ${WORK_DIR}/${name})
   file(REMOVE_RECURSE ${directory})
-  # No language: no call reaches a compiler.
+  # The project has no language, because no call reaches a compiler.
   file(WRITE ${directory}/CMakeLists.txt "
     cmake_minimum_required(VERSION 3.22...3.25)
     project(calls VERSION 1.0.0 LANGUAGES NONE)

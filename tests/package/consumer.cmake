@@ -2,7 +2,7 @@
 #
 # cmake -D CONSUMER=name [-D PREFIX=dir] -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir
 #       -P consumer.cmake
-# PREFIX is that of the installed package, which has a generator of its own.
+# PREFIX is the prefix of the installed package, which contains its own generator.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -16,7 +16,7 @@ set(build_dir ${WORK_DIR}/${CONSUMER})
 file(REMOVE_RECURSE ${build_dir})
 run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/${CONSUMER} -B ${build_dir} ${robcogen}
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DROBOTS_DIR=${SOURCE_DIR}/robots)
-# Kernels for a processor are compiled for it, wherever the functions of CMake come from.
+# Kernels for a processor are compiled with its flags, wherever the CMake functions come from.
 file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\".*/kernels_avx2\\.cpp")
 foreach(command IN LISTS commands)
   expect_words("options of the kernels for AVX2" "${command}" "-mavx2 -mfma")

@@ -1,10 +1,10 @@
-# A cross build of a robot with the installed package: the generator comes from ROBCOGEN_HOST_TOOL or from the PATH,
-# never from the package, whose executable is for the other machine.
+# A cross build of a robot with the installed package. The generator comes from ROBCOGEN_HOST_TOOL or from the PATH,
+# never from the package, whose executable is for the target machine.
 #
 # cmake -D CROSS_COMPILER=path -D PROCESSOR=name [-D MACHINE=name -D EMULATOR=program] -D TOOL=robcogen -D SOURCE_DIR=dir
 #       -D WORK_DIR=dir -P cross.cmake
-# MACHINE is the machine in the header of the library; the emulator runs its programs, and its results are compared with
-# those of the generator's interpreter on this one.
+# MACHINE is the machine in the library's header. The emulator runs the library's programs, and their results are
+# compared with those of the generator's interpreter on this machine.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -16,7 +16,7 @@ endif()
 
 set(work_dir ${WORK_DIR}/cross_${PROCESSOR})
 file(REMOVE_RECURSE ${work_dir})
-# Naming the system is what makes a build a cross build.
+# Setting the system name makes this a cross build.
 file(WRITE ${work_dir}/toolchain.cmake "
   set(CMAKE_SYSTEM_NAME Linux)
   set(CMAKE_SYSTEM_PROCESSOR ${PROCESSOR})

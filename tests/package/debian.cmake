@@ -1,6 +1,5 @@
-# The Debian package: what it depends on; installed by dpkg, a robot that is built with what it holds, by CMake, by pkg-config
-# and by Python; and removed.
-#
+# The Debian package: its dependencies; installation by dpkg; robots built from its files with CMake, pkg-config and
+# Python; removal.
 # cmake -D BUILD_DIR=dir -D CONFIG=name -D WORK_DIR=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -P debian.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
@@ -22,7 +21,7 @@ expect_words("fields" "${fields}" "libeigen3-dev")
 expect_words("fields" "${fields}" "libc6")
 expect_words("fields" "${fields}" "Maintainer: RobCoGen developers <robcogen@example.org>")
 
-# Installed into a database of packages of its own, whose root is this folder.
+# The package is installed into its own dpkg database, whose root is this folder.
 set(root ${dir}/root)
 file(MAKE_DIRECTORY ${root}/var/lib/dpkg/info ${root}/var/lib/dpkg/updates)
 file(TOUCH ${root}/var/lib/dpkg/status ${root}/var/lib/dpkg/available)
@@ -47,13 +46,13 @@ expect_words("completion" "${output}" "generate")
 run(page zcat ${prefix}/share/man/man1/robcogen.1.gz)
 expect_words("manual page" "${page}" ".TH ROBCOGEN 1 \"\" \"robcogen ${VERSION}\"")
 
-# CMake.
+# Build with CMake.
 run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/find_package -B ${dir}/by_cmake -DCMAKE_PREFIX_PATH=${prefix}
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DROBOTS_DIR=${prefix}/share/robcogen/robots -DBUILD_TESTING=OFF)
 run(output ${CMAKE_COMMAND} --build ${dir}/by_cmake --target controller --parallel 2)
 run(output ${dir}/by_cmake/controller)
 
-# The variables of pkg-config follow the tree.
+# Build with pkg-config, whose variables are relative to the installed tree.
 set(ENV{PKG_CONFIG_PATH} ${prefix}/share/pkgconfig)
 run(tool pkg-config --variable=tool robcogen)
 string(STRIP "${tool}" tool)
@@ -67,7 +66,7 @@ run(output ${CXX_COMPILER} -std=c++17 ${flags} -I${dir}/generated ${dir}/main.cp
     ${dir}/generated/hyl/trigonometry.cpp -o ${dir}/main)
 run(output ${dir}/main)
 
-# Python, where it has its headers.
+# Build with Python, if its headers are installed.
 execute_process(
   COMMAND /usr/bin/python3 -c "import sysconfig, os; assert os.path.isfile(sysconfig.get_paths()['include'] + '/Python.h')"
   RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
@@ -82,7 +81,7 @@ if(status EQUAL 0)
   expect_words("joint forces" "${output}" "[73.58")
 endif()
 
-# Nothing is left of it.
+# Removal leaves nothing.
 run(output ${dpkg} --purge robcogen)
 if(EXISTS ${prefix}/bin/robcogen OR EXISTS ${prefix}/share/robcogen)
   message(FATAL_ERROR "dpkg --purge leaves files of the package")

@@ -1,4 +1,4 @@
-# Robots and their self-checks, in projects that compile all with these flags.
+# Robots and their self-checks in projects that compile everything with these flags.
 #
 # cmake -D "FLAGS=flag flag" -D CXX_COMPILER=path -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P flags.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

@@ -1,11 +1,11 @@
-# The oldest CMake that is supported is 3.22: the functions do without what came later. A robot is built as there, without
-# file sets, and no script of the package uses another word that 3.22 does not know.
+# The oldest supported CMake is 3.22, so the functions use nothing newer. A robot is built as with 3.22, without file
+# sets, and no script of the package uses another word that 3.22 does not know.
 #
 # cmake -D PREFIX=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P floor.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
-# Presets of version 3 are those of 3.21.
+# Version 3 of the presets came with CMake 3.21.
 set(later "PROPAGATE" "block[(]" "find_package.* GLOBAL" "FILE_SET" "VERIFY_" "[$]<PATH" "[$]<LIST" "[$]<BUILD_LOCAL" "[$]<COMPILE_ONLY"
     "HEADER_SETS" "REGISTRY_VIEW" "file[(]STRINGS.*REGEX.*LIMIT_" "CODEGEN$" "cmake_file_api" "cmake_pkg_config")
 file(GLOB scripts ${SOURCE_DIR}/cmake/*.cmake ${SOURCE_DIR}/cmake/*.in ${SOURCE_DIR}/CMakeLists.txt ${SOURCE_DIR}/tool/CMakeLists.txt

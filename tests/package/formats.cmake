@@ -1,4 +1,4 @@
-# The tool with files of other formats and names, and its messages about conversions.
+# The tool reads files in other formats and under other names; its messages about conversions.
 #
 # cmake -D TOOL=robcogen -D WORK_DIR=dir -P formats.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -24,7 +24,7 @@ foreach(name arm.xml arm arm.urdf arm.kindsl)
   expect_equal("${name}: messages" "${output}" "")
 endforeach()
 
-# From standard input, and to a robot document with parents first.
+# From standard input to a robot document in which parents come first.
 execute_process(
   COMMAND ${TOOL} convert - ${work_dir}/converted.kindsl
   INPUT_FILE ${work_dir}/arm.xml
@@ -44,7 +44,7 @@ foreach(earlier_and_later "link upper;link hand" "id = 1;id = 2" "r_joint should
   endif()
 endforeach()
 
-# One message for an unknown format, whatever the name of the file.
+# An unknown format gives one message, whatever the name of the file.
 file(WRITE ${work_dir}/arm.sdf "<sdf version='1.6'><model name='arm'/></sdf>")
 file(WRITE ${work_dir}/arm.motdsl "${urdf}")
 file(WRITE ${work_dir}/arm.json "{ \"robot\": \"arm\" }")
@@ -55,14 +55,15 @@ foreach(name arm.sdf arm.motdsl arm.json)
   expect_words("${name}" "${output}" "[other-format]")
 endforeach()
 
-# Impossible mass properties are written as they are, with a warning that readers will refuse them.
+# Impossible mass properties are written unchanged, with a warning that readers will refuse them.
 string(REPLACE "Ix = 1.0" "Ix = -1.0" document "${document}")
 file(WRITE ${work_dir}/implausible.kindsl "${document}")
 run(output ${TOOL} convert ${work_dir}/implausible.kindsl ${work_dir}/implausible.urdf)
 expect_words("implausible" "${output}" "[implausible-urdf]")
 run(output ${TOOL} check --allow-implausible ${work_dir}/implausible.urdf)
 
-# A model of MuJoCo under any name: an included file is read and listed, and the robot document of it says the same.
+# A MuJoCo model under any name: its included file is read and listed, and the converted robot document gives the same
+# operations.
 set(mjcf "<mujoco model='crane'>
   <include file='parts/jib.inc'/>
   <worldbody><body name='mast'><joint name='swing' damping='0.5' range='-90 90'/>

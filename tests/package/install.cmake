@@ -1,4 +1,4 @@
-# Installs the project and moves the installed tree, which must not remember where it was put first.
+# Installs the project and moves the installed tree, which must not remember its original place.
 #
 # cmake -D BUILD_DIR=dir -D CONFIG=name -D WORK_DIR=dir -P install.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

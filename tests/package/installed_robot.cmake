@@ -1,5 +1,5 @@
-# Checks of a user of the installed package: the robot's self-check passes, its headers compile one by one, and
-# the robot can be installed in turn.
+# Checks of a user of the installed package: the robot's self-check passes, each of its headers compiles alone, and the
+# robot itself can be installed.
 #
 # cmake -D BUILD_DIR=dir -D WORK_DIR=dir -P installed_robot.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

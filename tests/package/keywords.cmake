@@ -12,7 +12,7 @@ run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/keywords -B $
 expect_words("properties" "${output}" "ROBCOGEN_MODEL ${build_dir}/leg.kindsl")
 expect_words("properties" "${output}" "ROBCOGEN_NAME right_leg")
 
-# Code generation alone writes every announced file, and no others.
+# Code generation alone writes exactly the announced files.
 run(output ${CMAKE_COMMAND} --build ${build_dir} --target left-leg_codegen)
 file(STRINGS ${build_dir}/left_files announced)
 file(GLOB_RECURSE made ${build_dir}/left/walker/legs/left_leg/*)
@@ -47,7 +47,7 @@ if(EXISTS ${build_dir}/script/script)
   message(FATAL_ERROR "LANGUAGES matlab maxima made C++")
 endif()
 
-# Flags of generated sources, those of the function and of COMPILE_OPTIONS, apply to these only.
+# The flags of generated sources, from the function and from COMPILE_OPTIONS, apply only to them.
 file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\":")
 set(flags "-fno-tree-slp-vectorize|-fno-(tree-)?dse|-fno-tree-(pta|pre|vrp)|-fno-schedule-insns2|-fno-exceptions|-fstack-usage|-DNDEBUG|-mavx")
 foreach(source "left_leg/transforms.cpp" "user/main.cpp")

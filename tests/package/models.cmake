@@ -17,7 +17,7 @@ run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/models -B ${b
     -DMODELS_DIR=${MODELS_DIR})
 run(output ${CMAKE_COMMAND} --build ${build_dir} --parallel 2)
 run(output ${CMAKE_CTEST_COMMAND} --test-dir ${build_dir} --no-tests=error)
-# Three tests a robot.
+# There are three tests for each robot.
 list(LENGTH models count)
 math(EXPR count "3 * ${count}")
 expect_words("tests of robots" "${output}" "100% tests passed, 0 tests failed out of ${count}")

@@ -1,4 +1,4 @@
-# Robots of one NAME in different NAMESPACEs, and how their units are compiled where the build has no type.
+# Robots with one NAME in different NAMESPACEs, and how their sources are compiled in a build without a type.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P namespaces.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -10,7 +10,7 @@ set(configure
     -DROBCOGEN_HOST_TOOL=${TOOL} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DROBOTS_DIR=${SOURCE_DIR}/robots
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 
-# The optimisation of the source is the last that its command names; none is "".
+# The last -O flag in a source's compile command counts; `expected` is "" if there is none.
 function(expect_optimisation event source expected)
   file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\":.*${source}\"")
   list(LENGTH commands count)
@@ -42,7 +42,7 @@ if(slow_size LESS bound)
   message(FATAL_ERROR "an object without optimisation takes ${slow_size} bytes, and one with it ${left_size}")
 endif()
 
-# Flags that ask for optimisation, and others, stay as they are.
+# Optimisation flags and others that the user sets stay unchanged.
 foreach(case "Debug;-g;-O2" "Debug;-g -Og;-O2" "Debug;-O1 -fsanitize=undefined;-O1" "Release;-O3;-O3" "MinSizeRel;-Os;-Os")
   list(GET case 0 type)
   list(GET case 1 flags)

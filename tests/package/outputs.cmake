@@ -1,4 +1,4 @@
-# The list of generated files that CMake computes is the one that the generator prints.
+# CMake computes the same list of generated files as the generator prints.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -P outputs.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -41,7 +41,7 @@ function(expect_same_outputs name)
   endforeach()
 endfunction()
 
-# The same of C.
+# The same for C.
 function(expect_same_outputs_in_c name namespace)
   set(library_NAME ${name})
   set(library_NAMESPACE ${namespace})
@@ -81,7 +81,7 @@ expect_same_outputs(all_named ${groups})
 expect_same_outputs(all all)
 expect_same_outputs(derived DERIVATIVES inverse_dynamics:q,qd)
 expect_same_outputs(derived energy DERIVATIVES inverse_dynamics:q jacobians.a_J_b:q)
-# A robot with the name of one of its headers.
+# Robots with the names of their own headers.
 expect_same_outputs(robot)
 expect_same_outputs(Jacobians)
 expect_same_outputs(batch)
@@ -90,7 +90,7 @@ expect_same_outputs(left jacobians)
 expect_same_outputs(Types)
 unset(library_NAMESPACE)
 
-# The files of transforms without a robot, under this name.
+# The files of transforms without a robot, generated under this name.
 function(expect_same_transforms name)
   set(library_DERIVATIVES ${ARGN})
   set(derivatives "")

@@ -1,4 +1,4 @@
-# The quick start of README.md, line by line except the first: its packages are installed already.
+# The quick start of README.md, line by line except the first, because its packages are already installed.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P quick_start.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

@@ -2,8 +2,8 @@
 #
 # cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P rebuild.cmake
 #
-# The generator and the compiler are called through scripts that log each call, so that the log of a build shows its
-# steps. The names of the folders have blanks in them, which dependency files must escape.
+# Scripts that log each call start the generator and the compiler, so that the log of a build shows its steps. The
+# folder names contain blanks, which dependency files must escape.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -22,7 +22,7 @@ endfunction()
 function(set_up)
   file(REMOVE_RECURSE "${work_dir}")
   file(COPY ${SOURCE_DIR}/robots/hyl/hyl.kindsl ${SOURCE_DIR}/robots/hyl/hyl.dtdsl DESTINATION "${robot_dir}")
-  # A robot that imports its leg, in text that nothing compiles.
+  # A robot that imports its leg, generated as text that nothing compiles.
   file(WRITE "${robot_dir}/walker.kindsl"
        "import \"leg.kindsl\"\nRobot Walker { RobotBase trunk { children { Leg left() Leg right() mirrored y } } }\n")
   file(WRITE "${robot_dir}/parts/leg.kindsl"
@@ -30,7 +30,7 @@ function(set_up)
        "Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} } r_joint hip { ref_frame { translation = (0.0, 0.0, 0.0) "
        "rotation = (PI/2.0, 0.0, 0.0) } } }\n")
   write_script("${tool}" "echo \"$1\" >> '${log}'; exec '${TOOL}' \"$@\"")
-  # A compiler's last argument is the source.
+  # The last argument of the compiler is the source.
   write_script("${work_dir}/compile"
                "for source; do :; done; echo \"\${source##*/}\" >> '${log}'; exec ${COMPILER_LAUNCHER} \"$@\"")
   run(output ${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/rebuild -B "${build_dir}"
@@ -38,7 +38,7 @@ function(set_up)
       "-DROBCOGEN_HOST_TOOL=${tool}" -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} "-DROBOT_DIR=${robot_dir}")
 endfunction()
 
-# Builds, and compares the steps with the words that follow: `generate`, and the names of the compiled units.
+# Builds and compares the steps with the expected words: `generate`, and the names of the compiled sources.
 function(expect_build event)
   file(WRITE "${log}" "")
   run(output ${CMAKE_COMMAND} --build "${build_dir}" --parallel 2)
@@ -53,7 +53,7 @@ function(expect_done event)
   expect_equal("${GENERATOR}, ${event}: the build's work" "${done}" "${expected}")
 endfunction()
 
-# The clock of a file system ticks in steps of up to 10 ms: a change right after a build could bear the build's time.
+# File system clocks tick in steps of up to 10 ms, so a change right after a build could get the time of the build.
 function(let_clock_tick)
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.05)
 endfunction()
@@ -69,7 +69,7 @@ function(edit file from to)
   file(WRITE "${robot_dir}/${file}" "${text}")
 endfunction()
 
-# Sets `result` to the paths and hashes of all generated files.
+# Sets `result` to the paths, hashes and times of all generated files.
 function(snapshot result)
   file(GLOB_RECURSE files RELATIVE "${generated_dir}" "${generated_dir}/hyl/*")
   set(entries "")
@@ -102,7 +102,7 @@ file(TOUCH "${tool}")
 expect_build("rebuilt tool with the same output" generate generate)
 expect_build("nothing changed after a rebuilt tool")
 
-# The robot that reads an import is generated again, and no other.
+# Only the robot that reads the import is generated again.
 file(READ "${generated_dir}/walker.stamp" stamp)
 edit(parts/leg.kindsl "mass = 2.0" "mass = 3.0")
 expect_build("edited import" generate)
@@ -116,7 +116,7 @@ edit(hyl.kindsl "upperleg via HFE" "upperleg via HFF")
 file(WRITE "${log}" "")
 run_failing(output ${CMAKE_COMMAND} --build "${build_dir}")
 expect_done("error in the model" generate)
-# Ninja first prints all outputs of the rule.
+# Ninja's message begins with all outputs of the rule.
 if(output MATCHES "FAILED: [^\n]*hyl/" OR (GENERATOR STREQUAL "Ninja" AND NOT output MATCHES "FAILED: [^\n]*hyl\\.stamp"))
   message(FATAL_ERROR "the message of the build system names other files than the stamp:\n${output}")
 endif()
@@ -130,7 +130,7 @@ expect_build("mended model" generate)
 snapshot(after)
 expect_equal("generated files of the mended model" "${after}" "${before}")
 
-# Make has no rule for a by-product: the stamp must be removed too.
+# Make has no rule for by-products, so the stamp must be removed, too.
 file(REMOVE "${generated_dir}/hyl/kernel/jacobians.h")
 if(GENERATOR STREQUAL "Unix Makefiles")
   file(REMOVE "${generated_dir}/hyl.stamp")

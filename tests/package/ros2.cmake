@@ -1,6 +1,6 @@
-# The package of robots/ros2 as a colcon workspace builds it: configured, built and installed on its own, then used by another
-# package; without ROS, and with stand-ins for the packages of ROS that it looks for. Where colcon is, the workspace is built by
-# colcon too.
+# The package of robots/ros2 as a colcon workspace builds it: configured, built and installed on its own, then used by
+# another package; without ROS and with stand-ins for the ROS packages that it looks for. If colcon is installed, it
+# builds the workspace, too.
 #
 # cmake -D PREFIX=dir -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -D VERSION=1.0.0 -P ros2.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -20,7 +20,7 @@ foreach(file package.xml ament_index/resource_index/packages/robcogen)
   endif()
 endforeach()
 
-# Packages of ROS that the plugin needs.
+# Stand-ins for the ROS packages that the plugin needs.
 foreach(package controller_interface pluginlib)
   file(WRITE ${workspace}/ros/share/${package}/cmake/${package}Config.cmake
        "add_library(${package}::${package} INTERFACE IMPORTED)
@@ -57,7 +57,7 @@ foreach(file ${description} lib/libdemo_arm_control.so)
   endif()
 endforeach()
 
-# Another package of the workspace.
+# A second package in the workspace, which uses the first.
 file(WRITE ${workspace}/src/user/CMakeLists.txt "
   cmake_minimum_required(VERSION 3.22)
   project(user LANGUAGES CXX)

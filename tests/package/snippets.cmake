@@ -1,8 +1,8 @@
-# What the guides show is run: calls of CMake configure, each in a project of its own; the program in C compiles without a
-# warning and runs; lines of the shell that begin with a prompt run one after the other.
+# Runs the examples of the guides: each CMake call configures in its own project; the C program compiles without a
+# warning and runs; shell lines that begin with a prompt run in order.
 #
 # cmake -D PREFIX=dir -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P snippets.cmake
-# PREFIX is that of the installed package.
+# PREFIX is the prefix of the installed package.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -10,7 +10,7 @@ set(dir ${WORK_DIR}/snippets)
 file(REMOVE_RECURSE ${dir})
 set(robots ${SOURCE_DIR}/robots)
 
-# Calls `use(text)` for each block of `language` in a guide, and sets `count` to their number.
+# Calls `use(text)` for each `language` block of a guide, and sets `count` to their number.
 function(for_each_block guide language use count)
   file(READ ${SOURCE_DIR}/${guide} text)
   set(fence "\n```${language}\n")
@@ -30,7 +30,7 @@ function(for_each_block guide language use count)
   set(${count} ${n} PARENT_SCOPE)
 endfunction()
 
-# The documents and targets that a snippet takes for granted; `leg` has parameters, the contacts are those of the quadruped.
+# Copies the documents that a snippet assumes; `leg` has parameters, and the contacts are those of the quadruped.
 function(prepare folder)
   foreach(robot hyl quadruped)
     file(GLOB documents ${robots}/${robot}/*.*dsl)
@@ -52,7 +52,7 @@ function(configure_block block)
   if(NOT block MATCHES "find_package\\(robcogen|add_subdirectory\\(robcogen|FetchContent")
     string(APPEND before "find_package(robcogen REQUIRED)\n")
   endif()
-  if(block MATCHES "INCLUDES DESTINATION") # it is for this version
+  if(block MATCHES "INCLUDES DESTINATION") # the snippet is for this version
     string(APPEND before "set(CMAKE_VERSION 3.22.1)\n")
   endif()
   if(NOT block MATCHES "robcogen_add_robot|robcogen_add_transforms" AND block MATCHES "hyl")
@@ -60,12 +60,12 @@ function(configure_block block)
   endif()
   file(WRITE ${folder}/main.cpp "int main() {}\n")
   string(APPEND before "add_executable(my_controller main.cpp)\n")
-  # An ellipsis stands for more of the same.
+  # An ellipsis stands for further arguments.
   string(REPLACE " …)" ")" block "${block}")
   file(WRITE ${folder}/CMakeLists.txt "${before}${block}\n")
   run(output ${CMAKE_COMMAND} -G Ninja -S ${folder} -B ${folder}/build -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
       -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL})
-  # What the call asks of the generator exists.
+  # Generates the code that the calls ask for.
   file(GLOB made LIST_DIRECTORIES true ${folder}/build/robcogen.gen/*)
   foreach(robot IN LISTS made)
     cmake_path(GET robot FILENAME target)
@@ -80,7 +80,7 @@ function(run_c block)
   list(FILTER sources EXCLUDE REGEX "_f[.]c$|casadi")
   run(output cc -std=c99 -pedantic -Wall -Wextra -Werror -I${dir}/c/c ${dir}/c/main.c ${sources} -lm -o ${dir}/c/main)
   run(output ${dir}/c/main)
-  # What it prints is for the moon; the interpreter says the same.
+  # The program computes with the moon's gravity; the interpreter must give the same force.
   file(WRITE ${dir}/c/state.json "{\"q\": [0.64, -0.65, 1.34], \"qd\": [0.0, 0.5, -1.0], \"qdd\": [1.0, 0.5, 2.0], \"gravity\": [0.0, 0.0, -1.62]}")
   run(expected bash -c "${TOOL} eval --quiet ${robots}/hyl/hyl.kindsl inverse_dynamics < ${dir}/c/state.json")
   string(JSON slide GET "${expected}" tau 0)

@@ -1,8 +1,8 @@
-# The archive of the sources: it has every file of the repository and no other, and what it unpacks to builds.
+# The source archive: it contains exactly the files of the repository, and the unpacked sources build.
 #
 # cmake -D BUILD_DIR=dir -D WORK_DIR=dir -D SOURCE_DIR=dir -D TOOL=robcogen -D CXX_COMPILER=path -D VERSION=1.0.0
 #       [-D WHOLE=ON] -P source.cmake
-# WHOLE: the generator is built from the archive; otherwise it is TOOL.
+# WHOLE: the generator is built from the archive; otherwise TOOL is the generator.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -16,7 +16,7 @@ set(archive ${dir}/robcogen-${VERSION}.tar.gz)
 run(output ${CMAKE_COMMAND} -E chdir ${dir} ${CMAKE_COMMAND} -E tar xzf ${archive})
 set(unpacked ${dir}/robcogen-${VERSION})
 
-# Files that git knows, and new ones that are not to be ignored.
+# Files that git tracks, and new files that are not ignored.
 find_program(git git)
 if(git AND EXISTS ${SOURCE_DIR}/.git)
   run(expected ${git} -C ${SOURCE_DIR} -c core.quotePath=off ls-files --cached --others --exclude-standard)
@@ -34,7 +34,7 @@ endif()
 
 set(tool -DROBCOGEN_HOST_TOOL=${TOOL})
 if(WHOLE)
-  # What compiles is asked, not how fast it runs.
+  # The test checks that the generator compiles, not how fast it runs.
   set(tool -DCMAKE_CXX_FLAGS_RELEASE=-O0)
 endif()
 run(output ${CMAKE_COMMAND} -S ${unpacked} -B ${unpacked}/build/here -G Ninja -DBUILD_TESTING=OFF -DROBCOGEN_QUICK_BUILD=ON

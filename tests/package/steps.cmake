@@ -1,7 +1,7 @@
-# Functions for the scripts of this folder.
+# Functions for the scripts in this folder.
 cmake_minimum_required(VERSION 3.22...3.25)
 
-# Runs a command; on failure stops the script with its output. `output` receives the output.
+# Runs a command and sets `output` to its output. If the command fails, stops the script and prints the output.
 function(run output)
   execute_process(
     COMMAND ${ARGN}
@@ -16,7 +16,7 @@ function(run output)
   set(${output} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Runs a command that must fail.
+# Runs a command that is expected to fail.
 function(run_failing output)
   execute_process(
     COMMAND ${ARGN}
@@ -37,7 +37,7 @@ function(expect_equal what actual expected)
   endif()
 endfunction()
 
-# Messages are compared as sequences of words, because CMake wraps lines.
+# Compares messages as sequences of words, because CMake wraps lines.
 function(expect_words what text expected)
   string(REGEX REPLACE "[ \n]+" " " text "${text}")
   string(REGEX REPLACE "[ \n]+" " " expected "${expected}")

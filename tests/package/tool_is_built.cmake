@@ -1,5 +1,5 @@
-# A project that adds this one without naming a tool builds the generator before it generates. Ninja's list of commands
-# shows it without building the generator once more.
+# A project that adds this one without naming a tool builds the generator before it generates code. Ninja's list of
+# commands shows this without another build of the generator.
 #
 # cmake -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P tool_is_built.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

@@ -1,4 +1,4 @@
-# The project consumers/transforms: its outputs, its tests, and the steps after an edit of its document.
+# The project consumers/transforms: its outputs, its tests, and the steps after its document is edited.
 #
 # cmake -D TOOL=robcogen -D CXX_COMPILER=path -D SOURCE_DIR=dir -D WORK_DIR=dir -P transforms.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -37,7 +37,7 @@ list(SORT made)
 expect_equal("files of crane" "${made}" "${announced}")
 
 function(edit from to)
-  # Times of file systems have a finite resolution.
+  # File system clocks have a finite resolution.
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.05)
   file(READ ${document} text)
   string(FIND "${text}" "${from}" position)

@@ -1,4 +1,4 @@
-# Installs the project between files of others, and removes it: the others are left, and nothing else.
+# Installs the project among other files and removes it: only the other files are left.
 #
 # cmake -D BUILD_DIR=dir -D CONFIG=name -D WORK_DIR=dir -D SOURCE_DIR=dir -P uninstall.cmake
 cmake_minimum_required(VERSION 3.22...3.25)

@@ -2,7 +2,7 @@
 #
 # cmake -D GENERATOR=name -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P xacro.cmake
 #
-# The names of the folders have blanks in them. A script replaces xacro, with the features that these files need.
+# The folder names contain blanks. A script with the features that these files need replaces xacro.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -19,7 +19,7 @@ function(configure length)
       "-DMODEL_DIR=${model_dir}" -DLENGTH=${length})
 endfunction()
 
-# Builds, and compares the number of expansions.
+# Builds and compares the number of xacro runs.
 function(expect_build event times)
   file(WRITE "${log}" "")
   run(output ${CMAKE_COMMAND} --build "${build_dir}")
@@ -33,14 +33,14 @@ function(expect_in_urdf text)
   expect_words("the expanded file" "${urdf}" "${text}")
 endfunction()
 
-# The hash of the model, which the stamp holds.
+# Sets `result` to the model's hash, which the stamp contains.
 function(model_hash result)
   file(READ "${build_dir}/generated/arm.stamp" hash)
   set(${result} "${hash}" PARENT_SCOPE)
 endfunction()
 
 function(edit file from to)
-  # The clock of a file system ticks in steps of up to 10 ms.
+  # File system clocks tick in steps of up to 10 ms.
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 0.05)
   file(READ "${model_dir}/${file}" text)
   string(REPLACE "${from}" "${to}" edited "${text}")

@@ -1,4 +1,4 @@
-// Values may change in a loop that must not allocate.
+// Parameter values may change in a loop that must not allocate.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <gtest/gtest.h>
 

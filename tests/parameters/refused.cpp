@@ -1,4 +1,4 @@
-// Code that must not compile: one case a run, chosen by a macro; without one, the rest compiles.
+// Code that must not compile: one case per run, chosen by a macro. Without a macro, the rest compiles.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <everywhere_floating/everywhere_floating.h>
 #include <everywhere_undeclared/everywhere_undeclared.h>
@@ -7,7 +7,7 @@ namespace defaults = everywhere_fixed;
 namespace none = everywhere_undeclared;
 namespace floating = everywhere_floating;
 
-// Values for all interfaces but one getter.
+// Has only one getter of the interface.
 class Incomplete : public defaults::DynamicsParameters {
   double get_trunk_mass() const noexcept override { return 1; }
 };

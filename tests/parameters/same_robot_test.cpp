@@ -1,5 +1,5 @@
-// P7, compiled: a robot with parameters is the constant robot of their values; of the defaults, and after an update of
-// the new ones. The constant robots are made of the same document with numbers for names.
+// P7, compiled: a robot with parameters behaves as the constant robot with their values, for the defaults and, after an
+// update, for the new values. The constant robots are made from the same document with numbers in place of names.
 #include <constant_fixed/constant_fixed.h>
 #include <constant_fixed/reflection.h>
 #include <constant_floating/constant_floating.h>
@@ -24,9 +24,10 @@ using reference::CompiledRobot;
 using reference::Sample;
 using Values = std::vector<double>;
 
-// Constants fold exactly and sums are made in another order: rounding of both, relative to the largest element.
+// Constants fold exactly, and sums are added in another order: rounding of both programs, relative to the largest
+// element.
 constexpr double kSame = 1e-12;
-// Rounding of joint forces, carried to accelerations by the inverse of H.
+// Rounding of joint forces, propagated to accelerations by the inverse of H.
 constexpr double kSameAcceleration = 1e-11;
 
 void append(Values& to, const reference::Matrix<double>& m) {
@@ -74,7 +75,7 @@ std::vector<Result> results(const CompiledRobot<R>& robot, const reflection::Rob
   return all;
 }
 
-// In several states.
+// Compares both robots in several states.
 template <class Parametric, class Constant>
 void expect_same(
     const Parametric& parametric,
@@ -125,7 +126,7 @@ TEST(SameRobot, OthersFloatingBase) {
       robot, everywhere_floating::reflection::robot, others_floating::reflection::robot);
 }
 
-// One kind after the other is both at once.
+// Updating one kind after the other equals updating both at once.
 TEST(SameRobot, OthersInTwoSteps) {
   const auto values = other_values<everywhere_fixed::ParameterValues>();
   const everywhere_fixed::KinematicsParameters& kinematics = values;
@@ -137,7 +138,7 @@ TEST(SameRobot, OthersInTwoSteps) {
       robot, everywhere_fixed::reflection::robot, others_fixed::reflection::robot);
 }
 
-// The numbers that checks of this robot compute from are those of the constant robots.
+// The numbers from which the checks of this robot compute are those of the constant robots.
 void expect_numbers(
     const reflection::Robot& parametric,
     const std::vector<double>& values,

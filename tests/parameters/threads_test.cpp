@@ -1,4 +1,4 @@
-// Threads: any number of them reads one object; new values are put into a copy, and the copy is handed on.
+// Threads: any number of them can read one object; new values are put into a copy, and the copy is handed on.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ TEST(Threads, ManyReadOneObject) {
   EXPECT_EQ(wrong, 0);
 }
 
-// One thread changes values; the others go on with those that they have until they ask anew. None of them ever sees a
-// mixture.
+// One thread changes values; the others keep using those that they have until they fetch them again. No thread ever
+// sees a mixture.
 TEST(Threads, AnUpdatedCopyIsHandedOn) {
   const ParameterValues one, other = other_values<ParameterValues>();
   const JointState tau_one = tau_of(Parameters<>(one)), tau_other = tau_of(Parameters<>(other));

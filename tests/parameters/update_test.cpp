@@ -40,7 +40,7 @@ class Scaled : public KinematicsParameters, public DynamicsParameters {
   double get_trunk_mass() const noexcept override { return scale_ * values_.trunk_mass; }
   double get_trunk_x() const noexcept override { return scale_ * values_.trunk_x; }
   double get_trunk_xy() const noexcept override { return scale_ * values_.trunk_xy; }
-  double get_size() const noexcept override { return scale_ * values_.size; }  // of both interfaces
+  double get_size() const noexcept override { return scale_ * values_.size; }  // belongs to both interfaces
 
  private:
   ParameterValues values_;
@@ -78,7 +78,7 @@ TEST(Update, OfOneInterfaceLeavesTheOthersValues) {
 
 // `size` moves the hand, and is a factor of masses.
 TEST(Update, OfEitherInterfaceSetsWhatStandsInBoth) {
-  // In the frame of the arm, by way of the trunk: a few roundings.
+  // The hand in the frame of the arm, computed by way of the trunk: a few roundings.
   constexpr double kRounding = 1e-14;
   const auto hand = [](const Parameters<>& p) {
     namespace from = transforms::homogeneous;
@@ -122,7 +122,7 @@ TEST(Update, ReadsTheUsersOwnInterfaces) {
   p.update(same_values, doubled);
   EXPECT_EQ(p.values().trunk_mass, 15);
   EXPECT_EQ(p.values().upper, 0.5);
-  EXPECT_EQ(p.values().size, values.size);  // both give it, and kinematics are asked
+  EXPECT_EQ(p.values().size, values.size);  // both interfaces give it, and the kinematics one is used
 }
 
 TEST(Update, ValuesAndArraysGoThereAndBack) {
@@ -148,7 +148,7 @@ TEST(Update, ACopyIsAValue) {
   EXPECT_EQ(inverse_dynamics(copy, kQ, kQd, kQdd), before);
 }
 
-// A mass has no part in where things are.
+// Kinematics do not depend on masses.
 TEST(Update, KinematicsDoNotReadDynamics) {
   Parameters<> p;
   const Eigen::Matrix4d before = transforms::homogeneous::fr_trunk_X_hand(p, kQ);

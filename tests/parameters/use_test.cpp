@@ -1,4 +1,4 @@
-// How parameters go with scalars, with generic code, and with a compiler that should refuse.
+// Parameters with other scalars, in generic code, and with code that a compiler must refuse.
 #include <everywhere_fixed/everywhere_fixed.h>
 #include <everywhere_fixed/kernel/bias_forces.h>
 #include <everywhere_fixed/kernel/parameters.h>
@@ -20,13 +20,13 @@ static_assert(FixedBaseRobot<hyl_parametric::Robot> && FixedBaseRobot<everywhere
 static_assert(FloatingBaseRobot<everywhere_floating::Robot>);
 static_assert(std::is_empty_v<hyl::Robot> && !std::is_empty_v<hyl_parametric::Robot>);
 
-// A parameter without default has no value that could be taken for it.
+// A parameter without a default has no value that could be used instead.
 static_assert(std::is_default_constructible_v<everywhere_fixed::Parameters<>>);
 static_assert(!std::is_default_constructible_v<everywhere_undeclared::Parameters<>>);
 static_assert(!std::is_default_constructible_v<everywhere_undeclared::Robot>);
 static_assert(std::is_constructible_v<everywhere_undeclared::Parameters<>, everywhere_undeclared::ParameterValues>);
 
-// Updates are for a loop that must not throw.
+// Updates can be called in a loop that must not throw.
 static_assert(noexcept(std::declval<hyl_parametric::Parameters<>&>().update(hyl_parametric::ParameterValues())));
 static_assert(noexcept(std::declval<const hyl_parametric::DynamicsParameters&>().get_slider_mass()));
 static_assert(std::is_base_of_v<hyl_parametric::KinematicsParameters, hyl_parametric::ParameterValues>);
@@ -50,7 +50,7 @@ TEST(Use, ValuesThatWereNotGivenAreNoNumbers) {
   const everywhere_undeclared::Parameters<> given(other_values<everywhere_undeclared::ParameterValues>());
   const everywhere_fixed::Parameters<> expected(other_values<everywhere_fixed::ParameterValues>());
   const Eigen::Vector4d q(0.3, -0.7, 0.2, 1.1);
-  // The two may be compiled for other processors, and then round differently.
+  // The two libraries may be compiled for different processors, and then round differently.
   EXPECT_TRUE(
       everywhere_undeclared::gravity_forces(given, q).isApprox(everywhere_fixed::gravity_forces(expected, q), 1e-14));
 }
@@ -66,7 +66,7 @@ TEST(Use, SinglePrecisionRoundsTheCacheOnce) {
   EXPECT_TRUE(single.cast<double>().isApprox(tau, 1e-5)) << single.transpose() << "; " << tau.transpose();
 }
 
-// Sensitivities: the kernels of the updates take any scalar, and with dual numbers they pass on derivatives.
+// Sensitivities: the kernels of the updates accept any scalar, and with dual numbers they propagate derivatives.
 TEST(Use, DerivativesWithRespectToParameters) {
   using namespace everywhere_fixed;
   using autodiff::Dual;

@@ -1,4 +1,4 @@
-// Values of the parameters of everywhere.kindsl.in: `others` of this folder's CMakeLists.txt.
+// Values for the parameters of everywhere.kindsl.in: `others` in this folder's CMakeLists.txt.
 #pragma once
 
 namespace robcogen::test {

@@ -1,4 +1,4 @@
-// The plain document of a document with parts.
+// The plain document that a document with parts expands to.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ std::string hand(const std::string& children) {
   return std::string(kFinger) + "Robot Hand { RobotBase palm { " + kBase + " children { " + children + " } } }";
 }
 
-// The text of an element of the printed document.
+// Returns the text of an element of the printed document.
 std::string element(const std::string& document, const std::string& head) {
   const std::size_t begin = document.find("    " + head + " {\n");
   if (begin == std::string::npos) return "no " + head;
@@ -107,7 +107,7 @@ TEST(PlainDocument, ReflectsEveryClause) {
   EXPECT_NE(same.find("limits { position = (-1.5, 0.1) }"), std::string::npos) << same;
   EXPECT_NE(same.find("spring { stiffness = 2.0 rest = -0.3 }"), std::string::npos) << same;
   EXPECT_NE(same.find("a_slide = -0.1 m/rad * a_bend + 0.01"), std::string::npos) << same;
-  // The axis of the joint is in the plane: its frame is as it was.
+  // The axis of the joint is in the mirror plane, so its frame does not change.
   EXPECT_EQ(
       element(same, "r_joint a_bend").substr(0, 140),
       element(plain(hand("Finger a(weight = 2.0)")), "r_joint a_bend").substr(0, 140));
@@ -136,7 +136,7 @@ TEST(PlainDocument, NestsPartsInParts) {
       "(0.0, 0.0, 0.0) } } } Robot Ape { RobotBase chest { " +
       kBase + " children { Arm left(m = 3.0) head via neck } } link head { id = 7 " + kBase +
       " children {} } r_joint neck { ref_frame { translation = (0.0, 0.0, 1.0) rotation = (0.0, 0.0, 0.0) } } }");
-  // First what is the robot's own.
+  // The robot's own links come first.
   EXPECT_LT(document.find("link head"), document.find("link left_upper"));
   EXPECT_NE(element(document, "link left_upper").find("id = 8"), std::string::npos);
   EXPECT_NE(element(document, "link left_thumb_knuckle").find("mass = 3.0"), std::string::npos) << document;
@@ -166,7 +166,7 @@ TEST(PlainDocument, HasTheCouplingsOfLoopsForEachInstance) {
       "        left_b_bend = 2.0 left_shoulder + left_b_slide * 1.0 * rad/m\n"
       "        right_a_bend = 2.0 right_shoulder - right_a_slide * 1.0 * rad/m\n"
       "        right_b_bend = 2.0 right_shoulder - right_b_slide * 1.0 * rad/m\n");
-  // Names with which others begin serve as instances.
+  // Prefixes of other names can serve as instances.
   Diagnostics diagnostics;
   const auto tree = import::kinematic_tree(
       *read(

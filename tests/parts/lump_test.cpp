@@ -1,5 +1,5 @@
-// The base of a robot that is attached to a link: lumped into the link, or kept as a link on a placement, the dynamics
-// are the same.
+// The base of a robot that is attached to a link can be lumped into the link, or kept as a link on a placement: the
+// dynamics are the same.
 #include "physics.h"
 
 namespace robcogen {

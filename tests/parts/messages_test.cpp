@@ -1,5 +1,5 @@
 // Every message about parts and imports, as a user sees it: bad/<name>.kindsl must yield exactly bad/<name>.expected
-// (nothing for a document that is fine). Documents that others import are in bad/imported.
+// (which is empty for a correct document). Documents that others import are in bad/imported.
 #include "../golden_messages.h"
 #include "import/kinematics.h"
 #include "import/parts.h"
@@ -13,7 +13,7 @@ path folder() {
   return path(TEST_SOURCE_DIR) / "bad";
 }
 
-// Files are called by their names below the folder.
+// Files are named relative to the folder.
 std::string messages_of(const path& document) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<Source>(document.string(), test::contents(document));

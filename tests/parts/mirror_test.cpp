@@ -1,6 +1,6 @@
-// A part that is mirrored moves as the mirror image of one that is not: the same joint-space inertia matrix, the same
-// forces under reflected gravity, reflected Jacobians and positions of its links, all in positions that make mirrored
-// postures: equal ones, or opposite ones where a joint keeps its sense.
+// A mirrored part moves as the mirror image of the part: with the same joint-space inertia matrix, the same forces
+// under reflected gravity, and reflected Jacobians and positions of its links. Both parts are in mirrored postures:
+// their joint positions are equal, or opposite for joints that keep their sense.
 #include "physics.h"
 
 namespace robcogen {
@@ -12,15 +12,15 @@ using numeric::Dice;
 constexpr int kParts = 500;
 
 struct Case {
-  kinematics::Document part;  // a robot; its base is left out
+  kinematics::Document part;  // a robot, used without its base
   bool floating = false;
   int axis = 0;
   bool same_sense = false;
-  std::vector<std::string> kept;  // joints; empty: all
+  std::vector<std::string> kept;  // joints; empty for all
   std::array<double, 3> position{}, angles{};
 };
 
-// Joints that turn, about a third of them, become joints with several coordinates, or spherical; some coordinates
+// Turns about a third of the revolute joints into joints with several coordinates, or spherical ones; some coordinates
 // follow one another.
 void add_coordinates(kinematics::Document& part, Dice& dice) {
   using enum kinematics::Joint::Type;
@@ -31,7 +31,7 @@ void add_coordinates(kinematics::Document& part, Dice& dice) {
     constexpr std::array kTypes = {cylindrical, universal, planar, spherical, spherical};
     joint.type = kTypes[static_cast<std::size_t>(dice.below(5))];
     if (joint.type == spherical) {
-      joint.drive = {joint.drive.damping, {}, {}, joint.drive.armature, {}, {}};  // what needs no axis
+      joint.drive = {joint.drive.damping, {}, {}, joint.drive.armature, {}, {}};  // the properties that need no axis
       joint.rotor.reset();
       joint.limits.position.reset();
       continue;
@@ -52,7 +52,7 @@ void add_coordinates(kinematics::Document& part, Dice& dice) {
   }
 }
 
-// Of a coordinate, if the joint has several.
+// Returns the sense of a coordinate of a joint with several coordinates.
 int sense_of_coordinate(const std::string& coordinate, bool is_kept) {
   const auto ends = [&](const char* word) { return coordinate.ends_with(word); };
   if (ends("_slide_x")) return 1;
@@ -84,7 +84,7 @@ std::string text(const std::array<double, 3>& v) {
   return "(" + print_double(v[0]) + ", " + print_double(v[1]) + ", " + print_double(v[2]) + ")";
 }
 
-// A base that carries the part, or its mirror image.
+// A base that carries the part, or the part's mirror image.
 model::KinematicTree robot(const Case& c, bool mirrored) {
   const auto on_plane = [&](int axis, double value) { return axis == c.axis ? 0.0 : value; };
   const auto product = [&](int i, int k) { return print_double(on_plane(i, on_plane(k, 0.05))); };
@@ -109,7 +109,7 @@ model::KinematicTree robot(const Case& c, bool mirrored) {
   const auto is_on_base = [&](const std::optional<kinematics::Rotor>& rotor) {
     return rotor && rotor->carrier && rotor->carrier->text == base;
   };
-  for (kinematics::Joint& joint : part.joints) {  // rotors on the base of the part would be on nothing
+  for (kinematics::Joint& joint : part.joints) {  // a rotor on the base of the part would have no carrier
     if (is_on_base(joint.rotor)) joint.rotor->carrier.reset();
     for (kinematics::Coordinate& coordinate : joint.coordinates)
       if (is_on_base(coordinate.rotor)) coordinate.rotor->carrier.reset();
@@ -135,7 +135,7 @@ Matrix reflection(const Case& c) {
   return R * M * transpose(R);
 }
 
-// Of velocities, angular first: an angular velocity is an axial vector.
+// The reflection of velocities, angular first: an angular velocity is an axial vector.
 Matrix of_velocities(const Matrix& S) {
   Matrix D(6, 6);
   Matrix negative = S;
@@ -145,7 +145,7 @@ Matrix of_velocities(const Matrix& S) {
   return D;
 }
 
-// The factors of coordinates.
+// The sign of each coordinate in the mirrored posture.
 Vector senses(const Case& c, const model::KinematicTree& tree) {
   Vector s(tree.dof());
   int i = 0;
@@ -170,7 +170,7 @@ Vector senses(const Case& c, const model::KinematicTree& tree) {
   return s;
 }
 
-// Of positions: the vector parts of quaternions have the senses of velocities, their scalar parts stay.
+// The signs of positions: vector parts of quaternions have the signs of velocities, scalar parts do not change.
 Vector senses_of_positions(const model::KinematicTree& tree, const Vector& senses) {
   Vector s(tree.position_count());
   for (int k = 0; k < s.rows(); ++k) s(k) = 1.0;
@@ -231,7 +231,7 @@ class MirrorImage {
     return D;
   }
 
-  // Each link against the base: its Jacobian, and the position of its origin.
+  // Compares each link with respect to the base: its Jacobian, and the position of its origin.
   void check_frames() const {
     const auto functions = [](const model::KinematicTree& tree, const std::string& group) {
       model::DesiredTransforms desired;
@@ -296,7 +296,7 @@ TEST(MirroredParts, AreThemselvesWhenTheyAreMirroredAgain) {
       "Part Pair { root hub via turn link hub { children { Leg a() } } r_joint turn { ref_frame { translation = (0.0, "
       "0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }";
   const std::string robot = " Robot R { RobotBase base { children { Pair p() ";
-  // The image of the hub has its y axis reversed, too: the leg is as it was.
+  // The image of the hub has its y axis reversed, too, so the leg is unchanged.
   const kinematics::Document twice = expanded(parsed(part + pair + robot + "mirrored y same sense } } }"));
   const kinematics::Document never = expanded(parsed(part + plain + robot + "} } }"));
   ASSERT_EQ(twice.joints.size(), 3u);

@@ -1,4 +1,4 @@
-// Random robots as parts of others, and the dynamics and kinematics of documents by the interpreter.
+// Random robots as parts of others, and their dynamics and kinematics in the interpreter.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ namespace kinematics = language::kinematics;
 using Vector = reference::Vector<double>;
 using Matrix = reference::Matrix<double>;
 
-// A fixed or floating robot of some joints, some with drives, some with coupled joints.
+// A fixed or floating robot with a few joints, sometimes with drives, sometimes with coupled joints.
 inline kinematics::Document random_document(std::uint64_t seed) {
   model::KinematicTree robot = numeric::random_robot(seed, {.min_joints = 1, .max_joints = 7});
   if (seed % 3 != 0) robot = numeric::with_random_drives(robot, seed);
@@ -41,7 +41,7 @@ inline kinematics::Document parsed(const std::string& text) {
   return document;
 }
 
-// With its parts put in; an import means `imported`.
+// Expands the parts of a document; every import yields `imported`.
 inline kinematics::Document expanded(kinematics::Document document, const kinematics::Document& imported = {}) {
   Diagnostics diagnostics;
   const auto part = std::make_shared<const kinematics::Document>(imported);
@@ -69,7 +69,7 @@ inline Vector random_vector(numeric::Dice& dice, int size) {
   return v;
 }
 
-// That of the base first, then that of the joints.
+// Returns the result for the base first, then that for the joints.
 inline std::vector<double> result(const symbolic::Program& program, const State& s) {
   symbolic::Arrays<double> inputs = {
       {"q", s.q.values()},
@@ -95,7 +95,7 @@ inline Matrix matrix(const std::vector<double>& values, int rows) {
   return m;
 }
 
-// A function of the robot by its name.
+// Returns a function of the robot by its name.
 inline symbolic::Program program_of(
     const model::KinematicTree& tree,
     const std::string& group,

@@ -36,7 +36,7 @@ class Differentiation(unittest.TestCase):
         exec(text, names)
         tau, gradient = gradient_of_squares(Q)
         torques = names["torques"].detach() if package == "torch" else names["torques"]
-        # The first axis is vertical: its torque is zero but for rounding.
+        # The first axis is vertical, so its torque is zero except for rounding.
         np.testing.assert_allclose(np.asarray(torques), tau, rtol=tolerance, atol=tolerance * abs(tau).max())
         np.testing.assert_allclose(np.asarray(names["gradient"]), gradient, rtol=tolerance, atol=tolerance * abs(gradient).max())
         return names

@@ -18,7 +18,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(
             str(inspect.signature(arm.inverse_dynamics)), "(q, qd, qdd, gravity=None, external=None, *, out=None)")
         self.assertEqual(str(inspect.signature(leg.gravity_forces)), "(parameters, q, gravity=None, *, out=None)")
-        # With a floating base gravity says how the base is oriented: it has no default.
+        # With a floating base, gravity says how the base is oriented, so it has no default.
         self.assertIsNot(inspect.signature(walker.inverse_dynamics).parameters["gravity"].default, None)
         self.assertIn("recursive Newton-Euler", arm.inverse_dynamics.__doc__)
         self.assertIn("gravity: (3,); default (0, 0, -9.81)\nexternal: (8, 6); default zero\n", arm.inverse_dynamics.__doc__)

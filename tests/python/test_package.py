@@ -37,22 +37,22 @@ class Package(unittest.TestCase):
         self.assertTrue((first.parent / "leg.pyi").is_file())
         made = first.stat().st_mtime_ns
         self.assertEqual(self.build(), first)
-        # A comment is generated and not compiled.
+        # After a changed comment, code is generated but not compiled.
         text = self.model.read_text()
         self.model.write_text("// a leg\n" + text)
         self.assertEqual(self.build(), first)
         self.assertEqual(first.stat().st_mtime_ns, made)
         leg = robcogen.load(self.model, name="leg", algorithms="inverse_dynamics")
-        # The slider carries all that there is.
+        # The slider carries the whole mass.
         rest = np.zeros(3)
         np.testing.assert_allclose(leg.inverse_dynamics(rest, rest, rest)[0], 7.501 * 9.81)
-        # Another mass is another robot; both can be used.
+        # A different mass makes a different robot; both can be used.
         mass = re.search(r"mass\s*=\s*([\d.]+)", text)
         self.model.write_text(text[: mass.start(1)] + str(float(mass[1]) + 1) + text[mass.end(1) :])
         heavier = robcogen.load(self.model, name="leg", algorithms="inverse_dynamics")
         np.testing.assert_allclose(heavier.inverse_dynamics(rest, rest, rest)[0], 8.501 * 9.81)
         np.testing.assert_allclose(leg.inverse_dynamics(rest, rest, rest)[0], 7.501 * 9.81)
-        # What came before is still there.
+        # The first module is still in the cache.
         self.model.write_text(text)
         self.assertEqual(self.build(), first)
         self.assertEqual(first.stat().st_mtime_ns, made)

@@ -34,7 +34,7 @@ class Resources(unittest.TestCase):
 
         calls(2000)
         before, references = rss(), [sys.getrefcount(x) for x in (Z, many, p, out, q, None, np.float64)]
-        # ROBCOGEN_PYTHON_CALLS=10000000 for minutes.
+        # ROBCOGEN_PYTHON_CALLS=10000000 makes the test take minutes.
         calls(int(os.environ.get("ROBCOGEN_PYTHON_CALLS", 320_000)) // 8)
         after = [sys.getrefcount(x) for x in (Z, many, p, out, q, None, np.float64)]
         for old, new in zip(references, after):
@@ -56,7 +56,8 @@ class Resources(unittest.TestCase):
         thread = threading.Thread(target=tick)
         thread.start()
         started.wait()
-        # A machine that is busy may leave the other thread no turn in a call; one that never gets any waits for the lock.
+        # On a busy machine, the other thread may get no turn during a call; if it never gets one, it waits for the
+        # lock.
         most = 0
         for _ in range(50):
             begin = time.perf_counter()

@@ -16,7 +16,7 @@ void refuse(const char* function) noexcept {
   std::abort();
 }
 
-// Without memory the program ends: lack of memory is not tested here.
+// If memory runs out, the program ends: that case is not tested here.
 void* allocated(void* memory) noexcept {
   if (memory == nullptr) std::abort();
   return memory;
@@ -40,7 +40,7 @@ NoAllocation::~NoAllocation() {
 
 }  // namespace robcogen
 
-// Everything that the standard lets a program replace, so that no two of a pair come from different places.
+// Replaces everything that the standard allows a program to replace, so that allocation and release always match.
 void* operator new(std::size_t size) {
   refuse("operator new");
   return allocated(std::malloc(size == 0 ? 1 : size));
@@ -108,7 +108,7 @@ void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) no
 
 #ifdef ROBCOGEN_WRAPS_MALLOC
 extern "C" {
-// The linker sends calls of malloc to __wrap_malloc, and those of __real_malloc to malloc.
+// The linker redirects calls of malloc to __wrap_malloc, and calls of __real_malloc to malloc.
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
 void* __real_realloc(void* memory, std::size_t size);

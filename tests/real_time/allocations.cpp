@@ -1,5 +1,5 @@
-// Runs every function of one generated library where allocation aborts the program, and prints the cost of each. The
-// functions come from the library's own table, so that none is left out. Compiled once a robot, with
+// Runs every function of one generated library while allocation aborts the program, and prints the cost of each. The
+// functions come from the library's own table, so that none is left out. Compiled once per robot, with
 //     ROBCOGEN_REFLECTION_HEADER   the generated header, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE     the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER        where the library has functions over many states
@@ -19,8 +19,8 @@ constexpr int kCalls = 20;
 // A value that no function computes.
 constexpr double kUnwritten = 0x1.234567p+900;
 
-// Moderate numbers. For a robot with parameters they are not a valid state, because its cache is random too: no
-// function may allocate whatever it is given.
+// Moderate numbers. They are not a valid state of a robot with parameters, because its cache is random, too: a function
+// must not allocate whatever its inputs are.
 std::vector<double> random_numbers(std::mt19937_64& engine, int count) {
   std::vector<double> numbers(static_cast<std::size_t>(count));
   for (double& x : numbers) x = 0x1p-62 * static_cast<double>(engine() >> 1) - 1;
@@ -33,7 +33,8 @@ constexpr const auto& kBatches = ROBCOGEN_ROBOT_NAMESPACE::reflection::batch_fun
 constexpr robcogen::reflection::BatchFunctions kBatches = {nullptr, 0};
 #endif
 
-// The same function over many states, element by element, where the library has it. Whether all results are written.
+// Runs the same function over many states, element by element, if the library has it. Returns whether all results were
+// written.
 bool run_over_states(std::mt19937_64& engine, const robcogen::reflection::Function& f) {
   constexpr int kStates = 19;
   for (const robcogen::reflection::BatchFunction& many : kBatches) {

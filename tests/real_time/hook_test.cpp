@@ -1,4 +1,4 @@
-// The hook sees allocation in all its forms, and nothing else.
+// The hook detects allocation in all its forms, and nothing else.
 #include "allocation_hook.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(AllocationHookDeathTest, SeesEveryForm) {
   expect_abort([] { escaped = new Wide; }, "the loop calls operator new");
   expect_abort([] { escaped = std::vector<int>(10).data(); }, "the loop calls operator new");
   int* const made = new int;
-  escaped = made;  // or pairs of new and delete vanish
+  escaped = made;  // or the optimiser removes pairs of new and delete
   expect_abort([made] { delete made; }, "the loop calls operator delete");
   delete made;
 #ifdef ROBCOGEN_WRAPS_MALLOC
@@ -52,7 +52,7 @@ TEST(AllocationHook, LetsTheRestPass) {
     for (double& x : numbers) x += 1;
     delete static_cast<int*>(nullptr);
   }
-  numbers.push_back(1);  // it is over
+  numbers.push_back(1);  // the guard has ended
   EXPECT_EQ(numbers.size(), 11U);
 }
 

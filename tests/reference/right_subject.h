@@ -1,4 +1,4 @@
-// A subject of checks that is right, to be made wrong by tests of the checks.
+// A correct subject of checks, which tests of the checks make wrong.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -44,9 +44,9 @@ class Right {
   }
   Matrix<double> joint_space_inertia(const Vector<double>& q) const {
     const Matrix<double> H = reference::joint_space_inertia(robot_, q);
-    return 0.5 * (H + transpose(H));  // generated code writes each element of a pair from one value
+    return 0.5 * (H + transpose(H));  // generated code writes both elements of a pair from one value
   }
-  // Elimination from the deepest coordinates up.
+  // Eliminates coordinates from the deepest ones up.
   FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
     const Matrix<double> H = joint_space_inertia(q);
     const int n = H.rows();
@@ -70,7 +70,7 @@ class Right {
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < i; ++j) inverse(i, j) = inverse(j, i);
       for (int j = 0; j < n; ++j)
-        if (!carries(robot_, j, i)) inverse_L(i, j) = 0;  // where pivoting left rounding
+        if (!carries(robot_, j, i)) inverse_L(i, j) = 0;  // where pivoting left rounding noise
     }
     return {L, inverse_L, inverse, solve(H, x)};
   }
@@ -94,7 +94,7 @@ class Right {
   double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
     return reference::potential_energy(robot_, q, loads(arguments).gravity);
   }
-  // Of all matrices that will do, the one that is made easily: half of dH/dt, and the skew matrix that adds the rest of
+  // Of all valid matrices, the one that is easiest to make: half of dH/dt, plus the skew matrix that adds the rest of
   // the forces.
   Matrix<double> coriolis_matrix(const Motion<double>& m) const {
     constexpr Real kStep = 1e-5L;
@@ -151,7 +151,7 @@ class Right {
   Robot robot_;
 };
 
-// The same with derivatives: differences, column by column, which take their time.
+// The same subject with derivatives: differences, column by column, which take time.
 class RightDerivatives : public Right {
  public:
   using Right::Right;
@@ -175,7 +175,7 @@ class RightDerivatives : public Right {
       const Motion<double>& m,
       const Vector<double>& tau,
       const Arguments& arguments) const {
-    // The joint forces stand where accelerations do otherwise.
+    // The joint forces take the place of the accelerations.
     Motion<double> forces = m;
     forces.qdd = tau;
     const auto value = [&](const Motion<Real>& motion, const Loads<Real>& acting) {
@@ -258,7 +258,7 @@ inline Tables sample(bool floating) {
   return tables;
 }
 
-// The report of failures for a subject made of the tables.
+// The failure report for a subject made from the tables.
 template <class Subject>
 std::string failures(bool floating) {
   const Tables tables = sample(floating);
@@ -300,7 +300,7 @@ std::string failures(bool floating) {
   return checks.failure_report();
 }
 
-// For both bases, all of the named checks fail.
+// Expects that all of the named checks fail, for these bases.
 template <class Wrong>
 void expect_found(const std::vector<std::string>& names, const std::vector<bool>& bases = {false, true}) {
   for (const bool floating : bases) {

@@ -1,4 +1,4 @@
-// The self-check of one generated library (robcogen/reference/selfcheck.h). Compiled once a robot, with
+// The self-check of one generated library (robcogen/reference/selfcheck.h). Compiled once per robot, with
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER                               where the library has functions over many states
@@ -19,7 +19,7 @@ namespace {
 
 namespace generated = ROBCOGEN_ROBOT_NAMESPACE;
 
-// Functions whose formulation is chosen, in both precisions.
+// The functions that have a formulation, which exist in both precisions.
 template <class R>
 AnySubject dynamics_of(const std::shared_ptr<const CompiledRobot<R>>& robot) {
   using Compiled = CompiledRobot<R>;
@@ -103,7 +103,7 @@ Library library() {
     };
     result.cache = [](const std::vector<double>&) { return std::vector<double>(); };
 #ifndef ROBCOGEN_ROBOT_IS_DOUBLE_ONLY
-    // Depends on R: nothing is made of it where the robot has parameters.
+    // The type depends on R, so that it is not instantiated for a robot with parameters.
     using Single = std::conditional_t<kIsParametric<R>, void, generated::f32::Robot>;
     result.single = [](const Robot& tables) {
       return dynamics_of(std::make_shared<const CompiledRobot<Single>>(tables));

@@ -1,4 +1,4 @@
-// Small robots whose equations of motion stand in every textbook, and one with nothing special about it.
+// Small robots whose equations of motion are in every textbook, and one robot without any special structure.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ inline Tables::Body body(double mass, const Triple& com, const Triple& central) 
   return result;
 }
 
-// Rod with its centre of mass at `length` below the joint at q = 0; swings in the x-z plane, towards +x.
+// A rod whose centre of mass is `length` below the joint at q = 0. It swings in the x-z plane, towards +x.
 inline Tables pendulum(double mass, double length, double central_moment) {
   Tables t("pendulum");
   t.add_link("base", {});
@@ -38,7 +38,7 @@ inline Tables pendulum(double mass, double length, double central_moment) {
   return t;
 }
 
-// Two point masses on massless rods l1, l2 in the x-z plane; q2 is relative. Hangs at q = 0.
+// Two point masses on massless rods l1, l2 in the x-z plane; q2 is relative. The pendulum hangs at q = 0.
 inline Tables double_pendulum(double m1, double l1, double m2, double l2) {
   Tables t("double_pendulum");
   t.add_link("base", {});
@@ -49,7 +49,8 @@ inline Tables double_pendulum(double m1, double l1, double m2, double l2) {
   return t;
 }
 
-// Cart of mass m_cart along base x, point mass on a rod of length l; pole angle from hanging, positive towards +x.
+// A cart of mass m_cart along base x, with a point mass on a rod of length l. The pole angle is zero when the pole
+// hangs, and positive towards +x.
 inline Tables cart_pole(double m_cart, double m_pole, double length) {
   Tables t("cart_pole");
   t.add_link("base", {});
@@ -101,7 +102,7 @@ inline Motion<double> random_motion(std::mt19937_64& engine, const Robot& robot)
   return random_sample(engine, robot).motion;
 }
 
-// Each of these checks fails in the report.
+// Expects that each of these checks fails in the report.
 inline void expect_failures(const std::string& report, const std::vector<std::string>& names) {
   for (const std::string& name : names) EXPECT_NE(report.find("FAIL  " + name), std::string::npos) << report;
 }

@@ -111,7 +111,7 @@ void check_single(const Library& library, std::mt19937_64& engine, int samples, 
   checks.in_single(false);
 }
 
-// Derivatives that the robot was generated with. `values` are those of the parameters, where it has some.
+// Checks the derivatives that the robot was generated with. `values` are those of the parameters, if it has some.
 void check_derivatives(
     const Library& library,
     const std::vector<double>& values,
@@ -120,7 +120,7 @@ void check_derivatives(
     Checks& checks) {
   const Robot& robot = *library.robot;
   const std::vector<double> cache = library.cache(values);
-  std::optional<AtLoops> closed;  // of a robot with loops, at the inputs
+  std::optional<AtLoops> closed;  // for a robot with loops, at the inputs
   const auto inputs_of = [&](const reflection::Function& f) {
     std::vector<double> inputs = random_inputs(engine, robot, f, cache);
     if (f.positions < 0 || !follows_through_loops(robot)) return inputs;
@@ -150,7 +150,7 @@ void check_derivatives(
 
 constexpr int kSetsOfValues = 4;
 
-// Empty where no values were found.
+// Returns no checks if no parameter values were found.
 Checks checks_of(const Library& library, std::uint64_t seed, int samples) {
   const Robot& robot = *library.robot;
   Checks checks;

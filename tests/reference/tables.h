@@ -1,4 +1,4 @@
-// Reflection tables that own their data: robots made at run time, for the tests.
+// Reflection tables that own their data: robots that tests make at run time.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace robcogen::reference {
 
 using Triple = std::array<double, 3>;
 
-// Grows link by link; `robot` is a view that is valid as long as the tables live and do not grow.
+// The tables grow link by link. `robot` is a view that is valid as long as the tables live and do not grow.
 class Tables {
  public:
   explicit Tables(const std::string& name, bool floating_base = false) : floating_base_(floating_base) {
@@ -24,7 +24,7 @@ class Tables {
   Tables(Tables&&) = default;
   Tables& operator=(Tables&&) = default;
 
-  // Mass properties of the link that is added, about the link origin; products of positive sign.
+  // Mass properties of a link, about the link origin; products of inertia have positive sign.
   struct Body {
     double mass = 0;
     Triple com{};
@@ -50,7 +50,7 @@ class Tables {
     joints_.push_back({stored(name), type, parent, child, {}, {}});
     std::copy(translation.begin(), translation.end(), joints_.back().translation);
     std::copy(rotation.begin(), rotation.end(), joints_.back().rotation);
-    // Of a spherical joint the first component.
+    // For a spherical joint, this is its first component.
     int& parent_joint = links_[static_cast<std::size_t>(child)].parent_joint;
     if (parent_joint < 0) parent_joint = static_cast<int>(joints_.size()) - 1;
     return static_cast<int>(joints_.size()) - 1;
@@ -60,18 +60,18 @@ class Tables {
   void set_assembled(int joint, double position) { joints_[static_cast<std::size_t>(joint)].assembled = position; }
   void set_drive(int joint, const JointDrive& drive) { joints_[static_cast<std::size_t>(joint)].drive = drive; }
 
-  // Of the last joints, in their order: the next one follows the others by these factors.
+  // Couples the last joints in their order: the next one follows the others by these factors.
   void add_coupling(const std::vector<double>& factors, double offset, double assembled = 0) {
     const std::vector<double>& kept = factors_.emplace_back(factors);
     couplings_.push_back({kept.data(), offset, assembled});
   }
 
-  // By frame indices. Couplings that follow through loops have factors that are not numbers.
+  // Frames are given by index. Joints that follow through loops have couplings whose factors are NaN.
   void add_loop(const std::string& name, reflection::LoopType type, int first, int second, double length) {
     loops_.push_back({stored(name), type, {first, second}, length});
   }
 
-  // A coupled joint whose position is an element of q.
+  // Adds a coupled joint whose position is an element of q.
   void add_follower(int joint, double assembled) { followers_.push_back({joint, assembled}); }
 
   // Returns the frame's index.
@@ -84,7 +84,7 @@ class Tables {
 
   void add_contact(int frame, bool is_surface) { contacts_.push_back({frame, is_surface}); }
 
-  // By frame indices; without kernels.
+  // Frames are given by index; there are no kernels.
   void add_transform(const std::string& name, int left, int right) {
     transforms_.push_back({stored(name), left, right, nullptr, nullptr, nullptr});
   }
@@ -93,7 +93,7 @@ class Tables {
     jacobians_.push_back({stored(name), left, right, kept.data(), static_cast<int>(kept.size()), nullptr});
   }
 
-  // `columns` of Jacobians; the others have one.
+  // `columns` are those of a Jacobian; other quantities have one column.
   void add_frame_function(
       const std::string& name,
       reflection::FrameQuantity quantity,

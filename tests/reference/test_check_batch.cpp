@@ -11,7 +11,7 @@ using batch::Level;
 using Numbers = batch::Strided<const double>;
 using Results = batch::Strided<double>;
 
-// Of a robot with one parameter, p, and of two numbers of a state, x and y: x + p y and y.
+// The function of a robot with one parameter p, for a state of two numbers x and y: x + p y, and y.
 void single(const double* in, double* out) noexcept {
   out[0] = in[1] + in[0] * in[2];
   out[1] = in[2];
@@ -65,7 +65,7 @@ Checks checks_of(const char* name, Call call) {
 
 TEST(BatchChecks, PassForWhatIsRight) {
   const Checks checks = checks_of("f", &right);
-  EXPECT_EQ(checks.size(), 2);  // one a layout
+  EXPECT_EQ(checks.size(), 2);  // one per layout
   EXPECT_EQ(checks.failures(), 0) << checks.failure_report();
 }
 
@@ -81,7 +81,7 @@ TEST(BatchChecks, FindWhatHasNoFunctionOfOneState) {
   EXPECT_EQ(checks_of("g", &right).failures(), 1);
 }
 
-// Behind a parameter and another joint: positions of functions that say where they are.
+// The positions follow a parameter, and the quaternion another joint: functions say where their positions are.
 TEST(RandomInputs, HaveQuaternionsOfUnitLength) {
   reflection::Joint joints[4] = {};
   for (int j = 1; j < 4; ++j) {

@@ -1,10 +1,10 @@
-// The checks of derivatives find the mistakes that they are there for.
+// The checks of derivatives find the mistakes that they are meant to find.
 #include "right_subject.h"
 
 namespace robcogen::reference {
 namespace {
 
-// The wrench on a link that moves with a joint, in axes that do not.
+// The wrench on a link is treated as if its axes did not move with the joints.
 TEST(Checks, FindDerivativesUnderWrenchesThatDoNotMove) {
   struct Wrong : RightDerivatives {
     using RightDerivatives::RightDerivatives;

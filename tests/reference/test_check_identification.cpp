@@ -1,4 +1,4 @@
-// The checks of regressors: they pass for right matrices, made column by column, and find wrong ones.
+// The checks of regressors: they pass for correct matrices, made column by column, and find wrong ones.
 #include <gtest/gtest.h>
 
 #include "robcogen/reference/check_identification.h"
@@ -37,7 +37,7 @@ class UnitRobot {
   Robot robot_;
 };
 
-// A first moment takes a mass; the effect of that is taken off.
+// Correct regressors. A first moment needs a mass, whose own effect is subtracted.
 class RightRegressors {
  public:
   explicit RightRegressors(const Robot& robot) : robot_(robot) {}
@@ -58,7 +58,7 @@ class RightRegressors {
   }
   Vector<double> inertial_parameters() const { return inertial_parameters_of(robot_).cast<double>(); }
   Vector<double> drive_parameters() const { return drive_parameters_of(robot_, true).cast<double>(); }
-  // All parameters as their own base.
+  // All parameters serve as base parameters.
   Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
     return regressor(m, arguments);
   }
@@ -94,8 +94,8 @@ class RightRegressors {
     return Y;
   }
 
-  // H a + C r + gravity forces. Of all matrices C that will do, half of dH/dt and the skew matrix that adds the rest of
-  // the forces.
+  // H a + C r + gravity forces. Of all valid matrices C, half of dH/dt plus the skew matrix that adds the rest of the
+  // forces.
   Vector<Real> reference_forces(
       const Robot& unit,
       const Motion<double>& m,
@@ -207,7 +207,7 @@ TEST(IdentificationChecks, FindAPotentialOfTheWrongSign) {
   expect_found<Wrong>({"energy_regressor ", "energy_regressor (gravity)"});
 }
 
-// A Coriolis matrix that is right for the velocity itself, and not skew beside dH/dt.
+// A Coriolis matrix that is right for the velocity itself, but for which dH/dt - 2 C is not skew symmetric.
 TEST(IdentificationChecks, FindACoriolisMatrixThatIsNotSkew) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;

@@ -1,11 +1,11 @@
-// The checks of transforms, Jacobians, frame motions and centroidal quantities find the mistakes that they are there
-// for.
+// The checks of transforms, Jacobians, frame motions and centroidal quantities find the mistakes that they are meant to
+// find.
 #include "right_subject.h"
 
 namespace robcogen::reference {
 namespace {
 
-// The columns of an up-going chain have the other sign.
+// The columns of a chain towards the base have the opposite sign.
 TEST(Checks, FindAJacobianOfTheWrongSign) {
   struct Wrong : Right {
     using Right::Right;
@@ -18,7 +18,7 @@ TEST(Checks, FindAJacobianOfTheWrongSign) {
   expect_found<Wrong>({"jacobians", "P4: J qd = velocity"});
 }
 
-// A fixed base has a part in nothing that moves.
+// A fixed base must not contribute to the mass that moves.
 TEST(Checks, FindAFixedBaseInTheCenterOfMass) {
   struct Wrong : Right {
     using Right::Right;
@@ -33,7 +33,7 @@ TEST(Checks, FindAFixedBaseInTheCenterOfMass) {
   expect_found<Wrong>({"center_of_mass", "potential_energy ", "potential_energy (gravity)"});
 }
 
-// About the base origin instead of the centre of mass.
+// The momentum is about the base origin instead of the centre of mass.
 TEST(Checks, FindMomentumAboutTheWrongPoint) {
   struct Wrong : Right {
     using Right::Right;
@@ -73,7 +73,7 @@ TEST(Checks, FindAMissingColumn) {
   EXPECT_NE(checks.failure_report().find("FAIL  P4: J qd = velocity"), std::string::npos);
 }
 
-// The linear part of another point.
+// The linear part belongs to another point.
 TEST(Checks, FindTwistsAboutTheWrongPoint) {
   struct Wrong : Right {
     using Right::Right;
@@ -89,7 +89,7 @@ TEST(Checks, FindTwistsAboutTheWrongPoint) {
        "accelerations"});
 }
 
-// The acceleration of the point that is at the origin, which moves on, is not the derivative of the twist.
+// The classical acceleration of the point at the origin, which moves on, is not the derivative of the twist.
 TEST(Checks, FindAClassicalAcceleration) {
   struct Wrong : Right {
     using Right::Right;

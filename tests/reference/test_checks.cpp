@@ -1,5 +1,5 @@
-// The checks themselves: they pass for correct code, and each mistake of a kind that tools like this one have made
-// fails the checks that are there to find it.
+// The checks themselves: they pass for correct code, and each mistake of a kind that such generators have made fails
+// the checks that are meant to find it.
 #include "right_subject.h"
 
 namespace robcogen::reference {
@@ -43,7 +43,7 @@ TEST(Checks, FindDroppedExternalWrenches) {
   expect_found<Wrong>({"inverse_dynamics", "P1: ID(FD(tau)) = tau (wrenches)", "P1: FD(ID(qdd)) = qdd (wrenches)"});
 }
 
-// The external wrench of one link in the base frame's axes.
+// The external wrench of one link is in the base frame's axes.
 TEST(Checks, FindAnExternalWrenchInTheWrongFrame) {
   struct Wrong : Right {
     using Right::Right;
@@ -59,7 +59,7 @@ TEST(Checks, FindAnExternalWrenchInTheWrongFrame) {
   expect_found<Wrong>({"forward_dynamics (wrenches)", "P1: FD(ID(qdd)) = qdd (gravity, wrenches)"});
 }
 
-// The classical acceleration of the base origin where the spatial one is meant.
+// The classical acceleration of the base origin in place of the spatial one.
 TEST(Checks, FindAClassicalBaseAcceleration) {
   struct Wrong : Right {
     using Right::Right;
@@ -116,7 +116,7 @@ TEST(Checks, FindAnIndefiniteInertiaMatrix) {
       {"joint_space_inertia", "P2: H positive definite", "P2: columns of H", "P3: v'Hv/2 = kinetic energy"});
 }
 
-// The subject with one of the results changed.
+// A subject with one of its factor results changed.
 template <class Change>
 struct WrongFactor : Right {
   using Right::Right;
@@ -156,7 +156,7 @@ TEST(Checks, FindWhatFillsInBetweenBranches) {
 TEST(Checks, FindASolutionOfHalfTheWay) {
   struct Change {
     void operator()(FactorResults& f) const {
-      f.solution = f.L * f.solution;  // the substitution with L^T alone
+      f.solution = f.L * f.solution;  // only the substitution with L^T
       f.inverse = f.inverse_L;
     }
   };
@@ -199,7 +199,7 @@ TEST(Checks, FindForcesOfNoWrench) {
   expect_found<Wrong>({"transforms::force", "P5: force = inverse transpose of motion"});
 }
 
-// Right forces, but not the skew part that passivity needs.
+// The forces are right, but the matrix lacks the skew part that passivity needs.
 TEST(Checks, FindACoriolisMatrixThatIsNotPassive) {
   struct Wrong : Right {
     using Right::Right;

@@ -1,4 +1,5 @@
-// The reference's dynamics against closed forms of small robots, and against itself where one function inverts another.
+// The reference's dynamics, compared with closed forms of small robots, and with itself where one function inverts
+// another.
 #include <gtest/gtest.h>
 
 #include "sample_robots.h"
@@ -30,7 +31,7 @@ TEST(ReferenceDynamics, Pendulum) {
   }
 }
 
-// Swinging through the bottom the support carries the weight and the centripetal force.
+// When the pendulum swings through the bottom, its support carries the weight and the centripetal force.
 TEST(ReferenceDynamics, PendulumSupport) {
   const Tables tables = pendulum(2, 0.5, 0.1);
   const Vector<double> wrench = bias_forces(tables.robot(), Motion<double>{{0.0}, {3.0}, {0.0}}, {}).base_wrench;
@@ -84,7 +85,7 @@ TEST(ReferenceDynamics, FreeBodyObeysEulersEquations) {
   EXPECT_NEAR(a(0), (I[1] - I[2]) * w(1) * w(2) / I[0], kRounding);
   EXPECT_NEAR(a(1), (I[2] - I[0]) * w(2) * w(0) / I[1], kRounding);
   EXPECT_NEAR(a(2), (I[0] - I[1]) * w(0) * w(1) / I[2], kRounding);
-  // The origin, its centre of mass, falls: classical acceleration = gravity.
+  // The origin is the centre of mass and falls: its classical acceleration is gravity.
   EXPECT_LT(distance(a.tail(3) + cross(w, v), gravity), kRounding);
 }
 
@@ -198,7 +199,7 @@ TEST(ReferenceDynamics, TermsBoundForces) {
     const Loads<double> loads{s.gravity, s.external};
     const Vector<double> forces = generalized_forces(tables.robot(), s.motion, loads);
     const Vector<double> terms = force_terms(tables.robot(), s.motion, loads);
-    // Terms are sizes of vectors by their largest component: a cross product may have twice that.
+    // Terms measure vectors by their largest component; a component of a cross product may be twice as large.
     for (int i = 0; i < 11; ++i) EXPECT_LE(std::abs(forces(i)), 6 * terms(i));
   }
 }

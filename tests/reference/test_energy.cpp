@@ -57,7 +57,7 @@ TEST_P(ReferenceEnergy, GravityForcesAreTheGradientOfPotentialEnergy) {
   }
 }
 
-// d/dt of the momentum about a point at rest = the base wrench + the weight.
+// d/dt of the momentum about a point at rest is the base wrench plus the weight.
 TEST_P(ReferenceEnergy, BaseWrenchAndWeightAreTheRateOfMomentum) {
   const Vector<Real> change = momentum(robot_, at_time(motion_, kStep)) - momentum(robot_, at_time(motion_, -kStep));
   // The components are taken in the moving base frame.

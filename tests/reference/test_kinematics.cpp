@@ -1,4 +1,4 @@
-// The reference's poses, rates and Jacobians against closed forms and against derivatives of the poses themselves.
+// The reference's poses, rates and Jacobians, compared with closed forms and with derivatives of the poses themselves.
 #include <gtest/gtest.h>
 
 #include "robcogen/reference/check_frame_motion.h"
@@ -112,7 +112,7 @@ TEST(ReferenceKinematics, BodyJacobianTimesVelocityIsTheBodysVelocity) {
   }
 }
 
-// Every pair of frames: up-going, down-going and mixed chains.
+// Every pair of frames: chains towards the base, away from it, and mixed ones.
 TEST(ReferenceKinematics, FrameJacobianIsTheComplexStepDerivativeOfTheTransform) {
   const Tables tables = crooked_tree(false);
   const Robot robot = tables.robot();

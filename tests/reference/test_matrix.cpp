@@ -1,4 +1,4 @@
-// The dense matrices beneath the reference, and the bookkeeping of checks.
+// The dense matrices on which the reference is built, and the bookkeeping of checks.
 #include <gtest/gtest.h>
 
 #include <limits>

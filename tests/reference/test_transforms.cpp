@@ -1,4 +1,5 @@
-// The checks of transforms without a robot find faults: tables by hand, correct and then with one fault at a time.
+// The checks of transforms without a robot find faults: in tables written by hand, correct at first, then with one
+// fault at a time.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -65,7 +66,7 @@ constexpr ProductOfFactors kRight = {"S_X_E",           0, 1, {kThere, 2}, amoun
 constexpr ProductOfFactors kInverse = {"E_X_S",          1, 0, {kBack, 2}, amounts_back, back, form<back, true>,
                                        form<back, false>};
 
-// Failures of a table of these two.
+// The number of failures of a table of these two transforms.
 int failures(const ProductOfFactors& first, const ProductOfFactors& second) {
   const ProductOfFactors table[] = {first, second};
   return check_transforms({"test", 1, 1, 2, {table, 2}}, 1, 5).failures();

@@ -1,11 +1,12 @@
 // The self-check of one generated library of coordinate transforms: over random values of its variables and parameters,
-// against the products that its document says, and against identities between transforms. Compiled once a library, with
+// against the products that its document says, and against identities between transforms. Compiled once per library,
+// with
 //     ROBCOGEN_REFLECTION_HEADER      the generated header, as <…>
 //     ROBCOGEN_TRANSFORMS_NAMESPACE   the namespace of the generated code
 //
 //     euler_selfcheck [--seed N] [--samples N]
 //
-// prints one line a check and exits with 1 when one failed, 2 when the command line is wrong.
+// prints one line per check, and exits with 1 if one failed, 2 if the command line is wrong.
 #include ROBCOGEN_REFLECTION_HEADER
 
 #include "robcogen/reference/check_transforms.h"

@@ -1,4 +1,4 @@
-// Drawings as text: well-formed, readable on white and on black, and true.
+// Drawings as text: well-formed, readable on white and on black, and correct.
 #include "view/drawing.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST_P(Drawing, StaysOnThePaper) {
   EXPECT_GT(count, 20);
 }
 
-// Every joint has a hub, every link that has mass a centre, and all of them together one.
+// Every joint has a hub, every link with mass has a centre, and the whole robot has one.
 TEST_P(Drawing, HasEveryJointAndMass) {
   const view::ViewedRobot robot = view::viewed(load_robot(GetParam()));
   const std::string text = drawn(GetParam(), false);
@@ -90,7 +90,7 @@ double luminance(int r, int g, int b) {
   return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
 }
 
-// The contrast that WCAG 2 asks of graphics is 3.
+// WCAG 2 requires a contrast of 3 for graphics.
 TEST(DrawingColours, StandOutFromWhiteAndFromBlack) {
   constexpr double kContrast = 3;
   int count = 0;
@@ -104,7 +104,7 @@ TEST(DrawingColours, StandOutFromWhiteAndFromBlack) {
   EXPECT_GT(count, 8);
 }
 
-// An element that is not drawn is zero in random positions; one that is drawn is not.
+// An element that is not drawn is zero in random positions; a drawn element is not.
 TEST(InertiaPattern, IsThatOfTheMatrix) {
   for (const char* name : {"puma560", "scara", "quadruped", "tree5"}) {
     const driver::Model model = load_robot(name);
@@ -143,7 +143,7 @@ TEST(DrawingLabels, HideNoOther) {
   for (const std::smatch& label : labels) EXPECT_TRUE(places.insert(label[0]).second);
 }
 
-// tool/view/README.md shows it. With ROBCOGEN_UPDATE_DOCUMENTS in the environment it is written anew.
+// tool/view/README.md shows this drawing. If ROBCOGEN_UPDATE_DOCUMENTS is set in the environment, it is written again.
 TEST(DrawingOfTheGuide, IsThatOfTheRobot) {
   const driver::Model model = load_robot("quadruped");
   const view::ViewedRobot robot = view::viewed(model);

@@ -45,7 +45,7 @@ TEST(Page, HasTheFilesOfItsFolder) {
   EXPECT_TRUE(view::page_file("other").empty());
 }
 
-// No script of the page is ended by a name, nor does a name become an element.
+// A name neither ends a script of the page nor becomes an element.
 TEST(Page, KeepsNamesAsTheyAre) {
   driver::Model model = load_robot("hyl");
   auto& tree = std::get<driver::Robot>(model.content).tree;
@@ -70,7 +70,7 @@ TEST(Page, HasEveryFrameAndItsFunction) {
   }
 }
 
-// A warning is shown at the link or the joint that it names, else at the one that it stands in.
+// A warning is shown at the link or joint that it names, otherwise at the element of its place in the document.
 TEST(Page, ShowsWarningsAtTheirLinks) {
   const driver::Model model = load_robot("hyl");
   const model::KinematicTree& tree = model.robot()->tree;
@@ -90,7 +90,7 @@ TEST(Page, ShowsWarningsAtTheirLinks) {
   EXPECT_EQ(warnings[3]["link"], -1);
 }
 
-// Kinematics without masses, and a robot without joints, are pictures too.
+// Robots without masses or without joints can be drawn, too.
 TEST(Page, OfARobotWithoutDynamics) {
   driver::Model model = load_robot("hyl");
   auto& tree = std::get<driver::Robot>(model.content).tree;

@@ -1,4 +1,4 @@
-// Where the parts of a robot are drawn, against products of matrices.
+// Where the parts of a robot are drawn, compared with matrix products.
 #include <gtest/gtest.h>
 
 #include "robcogen/reference/kinematics.h"
@@ -20,7 +20,7 @@ Matrix<double> placement(const Placed& placed) {
   return reference::placement<double>(t, r);
 }
 
-// The element of q of a joint; of the first component of a spherical joint that behind the scalar part.
+// Returns the index of a joint's position in q; for a spherical joint, of the component after the scalar part.
 int element_of(const backend::Library& library, std::size_t joint) {
   int element = static_cast<int>(joint);
   for (std::size_t j = 0; j <= joint; ++j)
@@ -28,7 +28,7 @@ int element_of(const backend::Library& library, std::size_t joint) {
   return element;
 }
 
-// Of a unit quaternion, by its angle and its axis: Rodrigues' formula.
+// The rotation of a unit quaternion, from its angle and axis by Rodrigues' formula.
 Matrix<double> turn_of(double w, const std::array<double, 3>& vector) {
   const double sine = std::hypot(vector[0], vector[1], vector[2]), angle = 2 * std::atan2(sine, w);
   Matrix<double> K(3, 3), result = Matrix<double>::identity(4);
@@ -61,7 +61,7 @@ double position(const backend::Library& library, const std::vector<double>& q, s
   return sum;
 }
 
-// The poses of links and of joint frames in the base, parents first.
+// Computes the poses of links and joint frames in the base, parents first.
 void place(
     const backend::Library& library,
     const std::vector<double>& q,
@@ -127,7 +127,7 @@ TEST_P(Posture, IsThatOfProductsOfMatrices) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Posture, testing::ValuesIn(kRobots), [](const auto& robot) { return robot.param; });
 
-// Of a robot with parameters: those that are given, not those of the document.
+// A robot with parameters is drawn with the given values, not with those of the document.
 TEST(PostureWithParameters, FollowsThem) {
   const view::ViewedRobot robot = view::viewed(load_robot("hyl_parametric"));
   std::vector<double> parameters = declared_parameters(robot);
@@ -141,12 +141,12 @@ TEST(PostureWithParameters, FollowsThem) {
   parameters[at("upperleg_length")] += 0.25;
   parameters[at("lowerleg_mass")] = 3.5;
   const view::Posture after = view::posture(robot, q, parameters);
-  // The leg hangs: a longer thigh lowers the knee.
+  // The leg hangs down, so a longer thigh lowers the knee.
   EXPECT_NEAR(after.frames[3][2][3], before.frames[3][2][3] - 0.25, kRounding);
   EXPECT_EQ(after.masses[3], 3.5);
 }
 
-// In every position that the sliders give.
+// The loop closes at the positions that the sliders give.
 TEST(PostureOfLoops, ClosesThem) {
   const view::ViewedRobot robot = view::viewed(load_robot("five_bar"));
   ASSERT_EQ(robot.loops.size(), 1U);

@@ -24,7 +24,7 @@ inline driver::Model load_robot(const std::string& name) {
   return *model;
 }
 
-// Positions that differ between joints.
+// Positions that differ from joint to joint.
 inline std::vector<double> some_positions(const view::ViewedRobot& robot) {
   std::vector<double> q;
   const std::size_t count = robot.library.position_names().size();

@@ -1,4 +1,4 @@
-// The library in C gives what the library in C++ gives.
+// The C library and the C++ library give the same results.
 #include <both/leg/leg.h>
 #include <both_leg_c/both_leg_c.h>
 

@@ -1,5 +1,5 @@
-// Loads the functions of a library for CasADi as CasADi does, by their names alone, and compares what they give with
-// the library in C++: patterns, null pointers, parameters.
+// Loads the functions of a CasADi library as CasADi does, by name alone, and compares their results with those of the
+// C++ library: sparsity patterns, null pointers, parameters.
 //
 // casadi LIBRARY LIBRARY_WITH_PARAMETERS
 #include <both/leg/leg.h>
@@ -25,10 +25,10 @@ void require(bool holds, const std::string& what) {
 
 struct Shape {
   Int rows = 0, columns = 0;
-  std::vector<Int> nonzeros;  // places in the dense matrix, by columns
+  std::vector<Int> nonzeros;  // indices into the dense matrix, column by column
 };
 
-// A function of the shared library, through the protocol only.
+// A function of the shared library, called only through CasADi's protocol.
 class External {
  public:
   External(void* library, const std::string& name) : library_(library), name_(name) {
@@ -42,7 +42,7 @@ class External {
   const std::vector<Shape>& in() const { return in_; }
   const std::vector<Shape>& out() const { return out_; }
 
-  // Results as dense matrices.
+  // Returns the results as dense matrices.
   std::vector<Eigen::MatrixXd> operator()(const std::vector<const double*>& arguments, bool wants_results = true)
       const {
     Int sizes[4] = {};
@@ -101,7 +101,7 @@ class External {
 
 void require_equal(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const std::string& what) {
   require(a.rows() == b.rows() && a.cols() == b.cols(), what + ": its shape");
-  // The same formulas, compiled with and without fused products.
+  // Both are compiled from the same formulas, with and without fused products.
   require((a - b).cwiseAbs().maxCoeff() < 1e-12 * (1 + b.cwiseAbs().maxCoeff()), what + ": its values");
 }
 
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
   require_equal(inertia({q.data()})[0], both::leg::joint_space_inertia(q), "H");
   const External jacobian(library, "both_leg_casadi_fr_base_J_fr_foot");
   require_equal(jacobian({q.data()})[0], both::leg::jacobians::fr_base_J_fr_foot(q), "J");
-  // Of 6 x 3 elements: the slider neither turns nor leaves the vertical, the hip and the knee turn about one axis.
+  // Not all 6 x 3 elements: the slider neither turns nor leaves the vertical; the hip and the knee turn about one axis.
   require(jacobian.out()[0].nonzeros.size() < 12, "the pattern of J has elements that are zero");
 
   void* const legs = dlopen(argv[2], RTLD_NOW | RTLD_LOCAL);

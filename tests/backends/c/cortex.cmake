@@ -1,5 +1,5 @@
-# The arm ur.kindsl in single precision on a Cortex-M4F or -M7: compiled without a warning, small, without a routine of double
-# precision, and with the numbers of this machine.
+# The arm ur.kindsl in single precision on a Cortex-M4F or -M7: it compiles without a warning, its code is small and
+# calls no double-precision routine, and its results are those of this machine.
 #
 # cmake -D GCC=arm-none-eabi-gcc -D QEMU=qemu-system-arm -D REQUIRED=bool -D TOOL=robcogen -D SOURCE_DIR=dir -D FOLDER=dir
 #       -D PROCESSOR=m4|m7 -P cortex.cmake
@@ -17,7 +17,7 @@ endforeach()
 
 file(REMOVE_RECURSE ${FOLDER})
 run(output ${TOOL} generate ${SOURCE_DIR}/ur.kindsl --name ur --language c -o ${FOLDER})
-# The boards have processors whose units compute in single precision only.
+# The processors of these boards have floating-point units for single precision only.
 set(machine -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16)
 set(board mps2-an386)
 if(PROCESSOR STREQUAL "m7")
@@ -51,7 +51,7 @@ if(symbols MATCHES "(__aeabi_d[a-z0-9]*|__aeabi_f2d|_malloc_r)")
   message(FATAL_ERROR "the program has ${CMAKE_MATCH_1}:\n${symbols}")
 endif()
 
-# The board has the processor; semihosting prints the bits of the results.
+# QEMU emulates the board; semihosting prints the bits of the results.
 execute_process(
   COMMAND ${QEMU} -M ${board} -nographic -semihosting-config enable=on,target=native -kernel ${FOLDER}/arm.elf
   OUTPUT_VARIABLE on_board ERROR_VARIABLE on_board RESULT_VARIABLE status TIMEOUT 20)
@@ -66,7 +66,7 @@ if(NOT count EQUAL 24 OR NOT count_on_board EQUAL 24)
 endif()
 foreach(a b IN ZIP_LISTS on_board here)
   math(EXPR difference "${a} - ${b}")
-  # In units of 1e-5 N m.
+  # Differences are in units of 1e-5 N m.
   if(difference GREATER 20 OR difference LESS -20)
     message(FATAL_ERROR "the board gives ${a}, this machine ${b}")
   endif()

@@ -1,4 +1,4 @@
-// The text in C of robots and of transforms, compiled without a warning: all functions give what the interpreter gives,
+// The C text of robots and of transforms compiles without a warning, and every function gives the interpreter's results
 // in double and in single precision.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ Library library(
   return model ? driver::library(*model, {.names = {name}, .groups = asked.groups}, features) : Library();
 }
 
-// The files below the folder, and a unit that has all of them.
+// Writes the files into the folder, and a unit that includes all of them.
 void write(const std::filesystem::path& folder, const Library& library) {
   std::string all;
   std::vector<OutputFile> files = c::print(library);
@@ -58,7 +58,7 @@ void write(const std::filesystem::path& folder, const Library& library) {
   test::write_text(folder / "all.c", all);
 }
 
-// What the command prints; empty where it succeeds and prints nothing.
+// Returns what the command prints; empty if it succeeds and prints nothing.
 std::string run(const std::filesystem::path& folder, const std::string& command) {
   const std::filesystem::path log = folder / "log";
   const int status = std::system(("cd " + folder.string() + " && " + command + " > log 2>&1").c_str());
@@ -66,7 +66,7 @@ std::string run(const std::filesystem::path& folder, const std::string& command)
   return status == 0 || !text.empty() ? text : "failed: " + command;
 }
 
-// A function of the compiled text. All arguments are pointers; those beyond the last are not read.
+// Calls a compiled function. All arguments are pointers; the function does not read those beyond its last parameter.
 void call(void* function, std::vector<void*> a) {
   using P = void*;
   using F = void (*)(P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P, P);
@@ -77,8 +77,8 @@ void call(void* function, std::vector<void*> a) {
       a[17], a[18], a[19], a[20], a[21], a[22], a[23]);
 }
 
-// The same sines and the same order of operations: what is left is how compilers fuse and reorder, which gcc in this
-// mode does not.
+// Both sides use the same sines and the same order of operations. They differ only if the compiler fuses or reorders
+// operations, which gcc does not do in this mode.
 template <class Real>
 constexpr Real kTolerance = 8 * std::numeric_limits<Real>::epsilon();
 
@@ -91,7 +91,7 @@ std::vector<Real> random_values(const Library& library, const symbolic::InputArr
     });
     const double around = p == library.parameters.end() || std::isnan(p->default_value) ? 0 : p->default_value;
     const double u = std::uniform_real_distribution<double>(-1, 1)(dice);
-    // Loops close near the position in which they are assembled.
+    // Loops close only near the position in which they are assembled.
     const bool is_near = !library.loops.empty() && input.role == symbolic::Role::joint_position;
     values.push_back(static_cast<Real>(around == 0 ? (is_near ? 0.1 : 3) * u : around * (1 + u / 5)));
   }
@@ -103,7 +103,7 @@ std::vector<Real> random_values(const Library& library, const symbolic::InputArr
   return values;
 }
 
-// What the updates make of random parameters.
+// The cache that the updates compute from random parameters.
 template <class Real>
 std::vector<Real> random_cache(const Library& library, std::mt19937& dice) {
   std::map<std::string, Real> values;
@@ -122,7 +122,7 @@ std::vector<Real> random_cache(const Library& library, std::mt19937& dice) {
   return cache;
 }
 
-// A line for each difference between the function and the interpreter.
+// Returns a line for each difference between the function and the interpreter.
 template <class Real>
 std::string differences(const Library& library, const c::Callable& c, void* function, std::mt19937& dice) {
   const symbolic::Program& program = c.function->program;
@@ -137,7 +137,7 @@ std::string differences(const Library& library, const c::Callable& c, void* func
         is_cache ? random_cache<Real>(library, dice) : random_values<Real>(library, input, dice);
     arrays.push_back(values);
     if (input.role != symbolic::Role::parameters || is_cache) continue;
-    // The structure has all parameters, also those that the function does not take.
+    // The structure holds all parameters, including those that the function does not read.
     std::vector<Real> all;
     for (const ParameterData& p : library.parameters) {
       const auto place = std::find(input.elements.begin(), input.elements.end(), p.name);
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(
         "quadruped"),
     [](const auto& robot) { return robot.param; });
 
-// In couplings and pitches.
+// The parameters stand in couplings and pitches.
 TEST(C, ParametersOfJointsGiveWhatTheInterpreterGives) {
   const Library robot = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../drives/adjustable.kindsl", "adjustable",
@@ -228,7 +228,8 @@ TEST(C, ParametersOfJointsGiveWhatTheInterpreterGives) {
   EXPECT_EQ(differences(robot), "");
 }
 
-// Of the same parameters, functions after an update give what the program that computes all in one gives.
+// With the same parameters, functions called after an update give the results of the program that computes everything
+// at once.
 TEST(C, UpdatedCachesStandForTheParameters) {
   const std::filesystem::path document = kRobots / "hyl_parametric" / "hyl_parametric.kindsl";
   const Library leg = library(document, "leg", {{"inverse_dynamics"}});
@@ -264,12 +265,12 @@ TEST(C, UpdatedCachesStandForTheParameters) {
   for (std::vector<double>& array : arrays) arguments.push_back(array.data());
   call(dlsym(loaded, "leg_inverse_dynamics"), arguments);
   const std::vector<double> wanted = symbolic::interpret<double>(program, inputs).at(program.outputs.front().name);
-  // Two formulations of the same dynamics.
+  // The two are different formulations of the same dynamics.
   for (std::size_t j = 0; j < wanted.size(); ++j) EXPECT_NEAR(arrays.back()[j], wanted[j], 1e-12 * 300);
   dlclose(loaded);
 }
 
-// Columns that are solved in a loop are those that are written out, to rounding; with a parameter from a cache too.
+// Columns solved for in a loop equal the written-out ones to rounding, also with a parameter from a cache.
 class ColumnLoops : public testing::TestWithParam<std::string> {};
 
 TEST_P(ColumnLoops, GiveWhatIsWrittenOut) {
@@ -345,7 +346,8 @@ TEST(C, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
   EXPECT_EQ(differences(library(kRobots / ".." / "tests/backends/octave/products.ctdsl", "products")), "");
 }
 
-// Names that are words of C, of its library, of headers; text that would end or continue a comment or be a trigraph.
+// Names that are keywords of C or names from its library and headers; text that would end or continue a comment or form
+// a trigraph.
 TEST(C, TakesAnyName) {
   Library names = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../codegen/names.kindsl", "names", {algorithm::default_groups()});
@@ -368,7 +370,7 @@ TEST(C, WithOneSignWrongIsFoundOut) {
   EXPECT_EQ(report.find("hyl_forward_dynamicsf"), std::string::npos) << report;
 }
 
-// Long functions come in parts.
+// Long functions are generated in parts.
 TEST(C, LongFunctionsGiveWhatTheInterpreterGives) {
   const Library humanoid = library(kRobots / "humanoid" / "humanoid.kindsl", "humanoid", {{"centroidal"}});
   std::string text;
@@ -377,7 +379,7 @@ TEST(C, LongFunctionsGiveWhatTheInterpreterGives) {
   EXPECT_EQ(differences(humanoid), "");
 }
 
-// Clang warns of other things than gcc, and the headers are for C++ too.
+// Clang has other warnings than gcc, and the headers must compile as C++ too.
 TEST(C, OtherCompilersTakeIt) {
   const test::Scratch scratch("c-compilers");
   write(scratch.path, library(kRobots / "hyl_parametric" / "hyl_parametric.kindsl", "leg"));
@@ -387,7 +389,7 @@ TEST(C, OtherCompilersTakeIt) {
   EXPECT_EQ(run(scratch.path, CLANG " " + (kStrict + std::string("-fsyntax-only -I. all.c"))), "");
 }
 
-// The example of the guide runs.
+// The example of the guide compiles and runs.
 TEST(C, TheExampleOfTheGuideRuns) {
   const std::string guide = test::read_text(kRobots / ".." / "runtime" / "README.md");
   const std::size_t begin = guide.find("\n```c\n"), end = guide.find("\n```\n", begin);
@@ -397,11 +399,11 @@ TEST(C, TheExampleOfTheGuideRuns) {
   test::write_text(scratch.path / "main.c", guide.substr(begin + 6, end - begin - 5));
   const std::string output =
       run(scratch.path, "gcc " + (kStrict + std::string("-I. main.c all.c -o main -lm && ./main")));
-  // The weight of 7.501 kg on the moon, and what moves.
+  // The program prints the forces that hold 7.501 kg on the moon, and the accelerations.
   EXPECT_EQ(output.find("SLIDE"), 0U) << output;
 }
 
-// Two names in double precision whose counterparts in single precision would be the same.
+// Two names in double precision whose single-precision counterparts would coincide.
 TEST(C, NamesOfBothPrecisionsDiffer) {
   Library library;
   library.name = "hyl";

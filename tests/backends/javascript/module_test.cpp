@@ -1,4 +1,4 @@
-// Parts of a module besides its numbers: names, defaults, messages, constants, layout.
+// The parts of a module other than its numbers: names, defaults, messages, constants, layout.
 #include <fmt/format.h>
 
 #include <sstream>
@@ -12,7 +12,7 @@ const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
 
 class JavaScriptModule : public WithNode {};
 
-// The lines that a script prints beside the module `hyl` of the robot.
+// Runs a script that imports the robot's module as `hyl`, and returns the lines that it prints.
 std::vector<std::string> run_beside(const backend::Library& library, const std::string& script) {
   return run_node({module_of(library), {"script.mjs", "import * as hyl from './hyl.mjs';\n" + script}});
 }
@@ -33,7 +33,7 @@ console.log(String(hyl.inverse_dynamics(new Float64Array(q), z, z)) === String(h
   EXPECT_EQ(lines, (std::vector<std::string>{"true", "true", "false", "true"}));
 }
 
-// Elements of limbs are those of the robot that begin with the name of the limb.
+// The elements of a limb are the robot's elements whose names begin with the limb's name.
 TEST_F(JavaScriptModule, KnowsTheLimbs) {
   const std::string script = R"(
 const { joints, links, frames, limbs } = hyl.model;
@@ -123,7 +123,8 @@ console.log(coupled_joints.every((j) => j.factors.length === dof && typeof j.off
                  types, "true", "true", "true"}));
 }
 
-// The user's matrices: of rotations and translations, as the homogeneous transform has them.
+// The user supplies the matrices of rotations and translations; they are multiplied in the order of the homogeneous
+// transform.
 TEST_F(JavaScriptModule, MultipliesPrimitivesOfTheUser) {
   for (const char* name : {"hyl_parametric", "quadruped_fixed"}) {
     const backend::Library library = library_of(

@@ -20,7 +20,7 @@ using symbolic::Arrays;
 using symbolic::Program;
 using symbolic::Role;
 
-// Both sides do the same operations in the same order; sines and cosines differ by a unit in the last place, which
+// Both sides do the same operations in the same order. Sines and cosines differ by a unit in the last place, which
 // solving for accelerations amplifies. Relative to the largest element of a result.
 constexpr double kRounding = 1e-12;
 constexpr std::uint64_t kSeed = 23;
@@ -41,7 +41,7 @@ std::vector<std::string> texts(const std::vector<double>& values) {
   return result;
 }
 
-// `count` rows of a matrix that is stored by `stride`.
+// The `count` rows of a matrix whose rows are `row` elements apart and whose columns are `column` elements apart.
 std::string rows(const std::vector<std::string>& elements, std::size_t count, std::size_t row, std::size_t column) {
   std::vector<std::string> result;
   for (std::size_t r = 0; r < count; ++r) {
@@ -52,7 +52,7 @@ std::string rows(const std::vector<std::string>& elements, std::size_t count, st
   return array(result);
 }
 
-// An argument as the module takes it.
+// Spells an argument as the module expects it.
 std::string argument(const symbolic::InputArray& input, const std::vector<double>& values) {
   const std::vector<std::string> elements = texts(values);
   if (input.role == Role::link_wrenches) return rows(elements, elements.size() / 6, 6, 1);
@@ -79,13 +79,13 @@ std::string call(const backend::Callable& callable, const Program& program, cons
   return fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
-// Every result as a list of numbers, those of one name or of many, matrices by rows.
+// Prints each result as a flat list of numbers, whether it is one array or an object of several; matrices row by row.
 const char* const kShow = R"(
 const flat = (x) => (typeof x === "number" ? [x] : (Array.isArray(x) ? x : Object.values(x)).flatMap(flat));
 const show = (x) => console.log(flat(x).join(" "));
 )";
 
-// The difference of a printed line from the expected values; empty when they agree.
+// Describes how a printed line differs from the expected values; empty if they agree.
 std::string compare(const std::string& line, const std::vector<double>& expected) {
   double largest = 0;
   for (const double value : expected) largest = std::max(largest, std::abs(value));
@@ -146,7 +146,8 @@ std::string differences(const backend::Library& library, const OutputFile& modul
   std::mt19937_64 engine(kSeed);
   OutputFile script = {"calls.mjs", "import * as robot from \"./" + module.path.string() + "\";\n" + kShow};
   for (const backend::Callable& callable : backend::callables(library)) {
-    // Each overload with its own arguments: the module's function has the defaults that the others leave out.
+    // Each overload is called with its own arguments; the module's function supplies defaults for the ones that it
+    // leaves out.
     for (const backend::Function* overload : callable.overloads) {
       for (int state = 0; state < kStates; ++state) {
         const Arrays<double> inputs = random_inputs(library, overload->program, engine);

@@ -1,4 +1,4 @@
-// The modules of every robot, and of transforms with none, run by Node.
+// The modules of every robot, and of transforms without a robot, run by Node.
 #include "node.h"
 
 namespace robcogen::test {
@@ -11,7 +11,7 @@ std::filesystem::path document(const std::string& robot) {
 class JavaScriptRobots : public WithNode, public testing::WithParamInterface<std::string> {};
 
 TEST_P(JavaScriptRobots, GiveWhatTheInterpreterGives) {
-  // Large robots take long to trace.
+  // Tracing large robots takes long.
   const std::vector<std::string> groups = GetParam() == "humanoid"
                                               ? std::vector<std::string>{"inverse_dynamics", "joint_space_inertia"}
                                           : GetParam() == "centaur" ? algorithm::default_groups()
@@ -57,7 +57,7 @@ TEST_F(JavaScript, WithOneSignWrongIsFoundOut) {
   EXPECT_EQ(report.find("robot.inverse"), std::string::npos) << report;
 }
 
-// Derivatives by parameters come as matrices, and derivatives of matrices as lists of columns.
+// Derivatives with respect to parameters are matrices, and derivatives of matrices are lists of columns.
 TEST_F(JavaScript, DerivativesGiveWhatTheInterpreterGives) {
   backend::Library leg = library_of(
       document("hyl_parametric"), "leg", std::nullopt,

@@ -18,8 +18,8 @@ namespace {
 using symbolic::Arrays;
 using symbolic::Program;
 
-// Maxima prints 16 digits and computes with exact fractions where the interpreter rounds; inverting inertias (forward
-// dynamics) makes the most of that. Relative to the largest element of a result.
+// Maxima prints 16 digits, and computes with exact fractions where the interpreter rounds; forward dynamics, which
+// inverts inertias, shows the largest difference. Relative to the largest element of a result.
 constexpr double kRounding = 1e-12;
 constexpr std::uint64_t kSeed = 11;
 
@@ -45,7 +45,7 @@ plain(x) := if matrixp(x) then flatten(args(x)) else if listp(x) then flatten(ma
 show(name, x) := (print("=", name), for e in plain(x) do print("=", string(float(e))), print("= end"))$
 )";
 
-// The difference of the output of `show` for one call from the expected values; empty when they agree.
+// Describes how the output of `show` for one call differs from the expected values; empty if they agree.
 std::string compare(const std::vector<std::string>& printed, const std::vector<double>& expected) {
   if (printed.size() != expected.size())
     return fmt::format("{} elements instead of {}", printed.size(), expected.size());
@@ -77,7 +77,7 @@ std::vector<std::string> run_maxima(const std::vector<OutputFile>& files) {
   std::string error, loads;
   if (!write_files_if_changed(folder, files, error)) throw std::runtime_error(error);
   for (const OutputFile& file : files) loads += fmt::format("load(\"{}\")$ ", file.path.string());
-  // No settings of the user's, and no answer to a question.
+  // Maxima reads no user settings and gets no answer to a question.
   const std::string command = fmt::format(
       "cd '{}' && '{}' --very-quiet --userdir=. --batch-string='{}print(\"= all is loaded\")$' > printed 2>&1 "
       "< /dev/null",
@@ -112,7 +112,7 @@ std::string differences(const backend::Library& library, const OutputFile& text)
   };
   std::vector<Call> calls;
   std::mt19937_64 engine(kSeed);
-  const int states = library.joints.size() < 20 ? 3 : 1;  // a humanoid's text takes seconds a state
+  const int states = library.joints.size() < 20 ? 3 : 1;  // Maxima takes seconds for each state of a humanoid
   OutputFile script = {"calls.mac", kShow};
   for (const backend::Function& f : library.functions) {
     for (int state = 0; state < states; ++state) {

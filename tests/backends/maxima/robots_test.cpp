@@ -1,4 +1,4 @@
-// The text of every robot, and of transforms with none, run by Maxima on numbers.
+// The text of every robot, and of transforms without a robot, run by Maxima on numbers.
 #include <fmt/format.h>
 
 #include <regex>
@@ -50,7 +50,7 @@ TEST_F(WithMaxima, DerivativesGiveWhatTheInterpreterGives) {
 TEST_F(WithMaxima, ColumnsSolvedInALoopAreThoseWrittenOut) {
   ColumnLoopLibraries libraries = column_loop_libraries("quadruped");
   for (backend::Library* library : {&libraries.in_loops, &libraries.written_out})
-    std::erase_if(library->functions, [](const backend::Function& f) {  // Maxima takes seconds for each
+    std::erase_if(library->functions, [](const backend::Function& f) {  // Maxima takes seconds for each function
       return f.kernel != "forward_dynamics_derivatives";
     });
   const OutputFile text = maxima_text(libraries.in_loops);
@@ -108,7 +108,8 @@ TEST_F(MaximaRobot, WithOneSignWrongIsFoundOut) {
   EXPECT_EQ(report.find("hyl_inverse"), std::string::npos) << report;
 }
 
-// It says how the base is oriented: the functions, which know no defaults, cannot be called without it.
+// With a floating base, gravity says how the base is oriented. Maxima functions have no defaults, so they cannot be
+// called without it.
 TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
   const backend::Library library =
       library_of(std::filesystem::path(TEST_SOURCE_DIR) / "../octave/parametric.kindsl", "floating");
@@ -137,7 +138,8 @@ TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
   for (const std::string& line : lines) EXPECT_EQ(line, "[]");
 }
 
-// No variable, array, option or property but the functions themselves, and no way in for those of the user's.
+// The text defines its functions and no other variable, array, option or property, and the user's definitions do not
+// affect it.
 TEST_F(MaximaRobot, LeavesNoTraceAndTakesNoNotice) {
   const std::string state =
       "print(\"= system\", values, arrays, myoptions, rules, aliases, macros, structures, gradefs, dependencies)$\n"

@@ -10,7 +10,7 @@ const std::filesystem::path kHere = TEST_SOURCE_DIR;
 
 class MaximaSymbols : public WithMaxima {};
 
-// Two robots for the two conventions of primitives; all else is the same in both.
+// Two robots, one for each convention of primitives; everything else is the same in both.
 TEST_F(MaximaSymbols, AreWhatMaximaDerivesByItself) {
   const std::filesystem::path arm = kHere / "two_links.kindsl";
   std::string error;
@@ -24,7 +24,7 @@ TEST_F(MaximaSymbols, AreWhatMaximaDerivesByItself) {
   for (const std::string& line : lines) EXPECT_TRUE(line.ends_with(" true")) << line;
 }
 
-// The check itself: a nonzero value is not accepted as zero.
+// Checks the check itself: it does not accept a nonzero value as zero.
 TEST_F(MaximaSymbols, ThatDifferAreFoundOut) {
   const std::filesystem::path arm = kHere / "two_links.kindsl";
   std::string error;
@@ -56,7 +56,7 @@ TEST_F(MaximaSymbols, OfParametersAreNumbersWhereTheyAreDeclared) {
       (std::vector<std::string>{"[m1, c1, i1, m2, c2, i2, l2, h, l1]", "[0.25, c1, i1, m2, c2, i2, l2, h, l1]"}));
 }
 
-// Constants are exact where the document's are: a quarter turn leaves no rounded zero, a tenth is a tenth.
+// Constants are as exact as the document's: a quarter turn leaves no rounded zero, and a tenth is a tenth.
 TEST_F(MaximaSymbols, AreExact) {
   const backend::Library hyl = library_of(
       std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "hyl" / "hyl.kindsl", "hyl", model::MovedFramePosition::right);

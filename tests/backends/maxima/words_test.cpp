@@ -1,4 +1,4 @@
-// A robot of which every name is a word that Maxima keeps to itself.
+// A robot whose names are all words that Maxima reserves.
 #include "maxima.h"
 
 namespace robcogen::test {

@@ -1,4 +1,4 @@
-// Requirements on every language: all functions of a library, in files with distinct paths.
+// Requirements on every language: it prints all functions of a library, in files with distinct paths.
 #include "backend/languages.h"
 
 #include <gtest/gtest.h>

@@ -7,8 +7,7 @@
 
 namespace robcogen::backend::null {
 
-// <name>.txt: a line for each function, with the sizes of inputs and outputs, and how many statements there
-// are.
+// Prints <name>.txt: a line for each function with the sizes of its inputs and outputs and its number of statements.
 std::vector<OutputFile> print(const Library& library);
 
 }  // namespace robcogen::backend::null

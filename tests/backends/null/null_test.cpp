@@ -1,4 +1,4 @@
-// The input of any back end, listed by the null back end.
+// The input of every back end, listed by the null back end.
 #include "null.h"
 
 #include <gtest/gtest.h>

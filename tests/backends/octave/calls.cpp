@@ -29,7 +29,7 @@ std::string line(const Call& call) {
   return text + "\n";
 }
 
-// Distributions of the standard library differ between implementations; the engine does not.
+// The distributions of the standard library differ between implementations; the engine does not.
 double uniform(std::mt19937& engine, double lower, double upper) {
   return lower + (upper - lower) * (static_cast<double>(engine()) / 4294967296.0);
 }
@@ -48,7 +48,7 @@ std::vector<double> draw(const Argument& argument, std::mt19937& engine) {
   return values;
 }
 
-// The call at one random state: arguments and results.
+// Evaluates the call at one random state; returns its arguments and results.
 std::vector<double> evaluate(const Call& call, std::mt19937& engine) {
   std::vector<std::vector<double>> arguments, results;
   for (const Argument& a : call.arguments) arguments.push_back(draw(a, engine));

@@ -13,7 +13,7 @@ using symbolic::InputArray;
 using symbolic::OutputArray;
 using symbolic::Role;
 
-// `a::b` to `a.b.`
+// Converts `a::b` to `a.b.`.
 std::string dotted(const std::string& scope) {
   std::string text = scope;
   for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, ".");
@@ -23,7 +23,7 @@ std::string dotted(const std::string& scope) {
 Argument argument(const backend::Library& library, const InputArray& array) {
   Argument result{array.name, static_cast<int>(array.elements.size())};
   result.quaternions = array.quaternions;
-  // Loops close near the position in which they are assembled.
+  // Loops close only near the position in which they are assembled.
   if (array.role == Role::joint_position && !library.loops.empty()) result.limit = 0.1;
   if (array.role == Role::link_wrenches) {
     result.rows = 6;
@@ -69,7 +69,7 @@ std::optional<backend::Library> load(
 Call shape(const backend::Library& library, const backend::Function& function) {
   Call call;
   call.function = dotted(library.enclosing) + library.name + "." + dotted(function.scope) + function.name;
-  // `inverse` is a built-in function.
+  // `inverse` is a built-in function of MATLAB.
   if (function.name == "inverse") call.function += function.scope == "inertia_factor" ? "_H" : "_";
   for (const InputArray& array : function.program.inputs) call.arguments.push_back(argument(library, array));
   for (const OutputArray& array : function.program.outputs)

@@ -1,4 +1,4 @@
-// A function of a library as Octave sees it.
+// A library's function as Octave sees it.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace robcogen::octave {
 
 inline const std::string kNone = "none";
 
-// The library of a robot with these groups, or of a document of motions or transforms; nullopt when it is wrong.
-// `desired` may be kNone, `primitives` is kNone, left or right, `derivatives` are those of --derivatives.
+// Loads the library of a robot with these groups, or of a document of motions or transforms; nullopt if the document
+// has errors. `desired` may be kNone; `primitives` is kNone, left or right; `derivatives` are values of --derivatives.
 std::optional<backend::Library> load(
     const std::filesystem::path& model,
     const std::string& desired,
@@ -22,13 +22,14 @@ std::optional<backend::Library> load(
     const driver::Steps& steps,
     const std::vector<std::string>& derivatives = {});
 
-// The function's package name, arguments and results; nothing that evaluates it.
+// Returns the name of the function in the package, its arguments and its results, without an evaluator.
 Call shape(const backend::Library& library, const backend::Function& function);
 
-// The same for the product of primitives that a homogeneous transform is printed as, too; nullopt when it is not.
+// Returns the same for the product of primitives as which a homogeneous transform is also printed; nullopt if there is
+// none.
 std::optional<Call> shape_of_product(const backend::Library& library, const backend::Function& function);
 
-// Whether the base is fixed, the last argument is gravity, and no overload does without it.
+// True if the base is fixed, the last argument is gravity, and no overload omits it.
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function);
 
 }  // namespace robcogen::octave

@@ -1,5 +1,5 @@
-# Runs messages.m on generated packages, and checks the messages of Octave when it reads the packages.
-#     OCTAVE  the program; when it is not there, the test is skipped, or fails where REQUIRED is set
+# Runs messages.m on generated packages, and checks Octave's messages when it reads the packages.
+#     OCTAVE  the program; if it is missing, the test is skipped, or fails if REQUIRED is set
 #     TEXTS   the folder of all generated packages: <test>.text/matlab/+<name>
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
 if(NOT OCTAVE)

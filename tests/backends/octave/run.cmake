@@ -1,11 +1,11 @@
-# Generated MATLAB text, run by Octave on random states and compared with values of another origin.
-#     OCTAVE    the program; when it is not there, the test is skipped, or fails where REQUIRED is set
+# Runs generated MATLAB text in Octave on random states and compares the results with independent values.
+#     OCTAVE    the program; if it is missing, the test is skipped, or fails if REQUIRED is set
 #     PACKAGES  folder of the generated package, NAME its name
 #     VALUES    the program that writes the values of MODEL with DESIRED (or none), with products of PRIMITIVES (right, left or none)
-#     FOLDER    for the values
-#     DERIVATIVES   that the package was generated with
+#     FOLDER    folder of the values
+#     DERIVATIVES   the derivatives that the package was generated with
 #     STATES    number of states, 20 unless given
-#     MUTATE    a file of the package, whose first sum becomes a difference: the comparison must fail
+#     MUTATE    a file of the package whose first sum is changed to a difference: the comparison must fail
 include(${CMAKE_CURRENT_LIST_DIR}/../../package/steps.cmake)
 set(states 20)
 if(STATES)
@@ -52,7 +52,7 @@ endif()
 run(text ${octave})
 message("${text}")
 
-# Each function has been called, in each of its forms, at each state.
+# Each function has been called in each of its forms at each state.
 file(GLOB_RECURSE files RELATIVE ${PACKAGES} ${PACKAGES}/+${NAME}/*.m)
 list(FILTER files EXCLUDE REGEX "^[^/]+/(Contents|model|parameters)\\.m$")
 list(LENGTH files functions)

@@ -1,4 +1,4 @@
-// Requirements of MATLAB that Octave does not check, and of readers: rules over every generated file.
+// Rules for every generated file: requirements of MATLAB that Octave does not check, and of readers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The lists of `iskeyword` in both programs.
+// The keyword lists of both programs (`iskeyword`).
 const std::set<std::string> kKeywords = {
     "break",
     "case",
@@ -57,7 +57,7 @@ const std::set<std::string> kKeywords = {
 struct File {
   fs::path path;
   std::vector<std::string> lines;
-  std::vector<std::string> code;  // without strings and comments, continued lines as one
+  std::vector<std::string> code;  // without strings and comments; continued lines are joined
 };
 
 std::vector<std::string> lines_of(const fs::path& path) {
@@ -67,7 +67,8 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-// The line without comments and the text in strings. A quote behind a name or a bracket transposes.
+// Returns the line without comments and without the text in strings. A quote after a name or a bracket is a
+// transposition.
 std::string bare(const std::string& line) {
   std::string result;
   bool in_string = false;
@@ -99,7 +100,7 @@ std::vector<std::string> code(const std::vector<std::string>& lines) {
   return result;
 }
 
-// The folders that generated text stands in: one a run of the generator.
+// The folders with generated text, one for each run of the generator.
 std::vector<fs::path> folders() {
   std::vector<fs::path> result;
   for (const fs::directory_entry& entry : fs::directory_iterator(TEXT_DIR))
@@ -141,7 +142,7 @@ TEST(Text, LinesAreShortAndEndInNoBlank) {
   }
 }
 
-// Behind it stands at most what solves for columns in a loop.
+// The function may be followed only by the local functions that solve for columns in a loop.
 TEST(Text, AFileIsOneFunctionOfItsName) {
   const std::regex local(R"(function (?:\w+|\[[\w, ]+\]) = (?:right_sides|solution)\([\w, ]*\))");
   for (const File& file : files()) {
@@ -194,7 +195,7 @@ std::vector<std::string> words(const std::string& text) {
   return result;
 }
 
-// Arguments, results, and whatever an assignment gives a value, with its field.
+// Checks arguments, results and every assigned name with its field.
 TEST(Text, NoKeywordIsAName) {
   for (const File& file : files()) {
     for (const std::string& line : file.code) {
@@ -215,7 +216,7 @@ int assignments(const std::string& line) {
   return count;
 }
 
-// Octave takes these, MATLAB does not.
+// Octave accepts these, MATLAB does not.
 TEST(Text, IsNothingThatOctaveAloneTakes) {
   for (const File& file : files()) {
     for (const std::string& line : file.code) {

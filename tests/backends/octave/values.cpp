@@ -1,6 +1,5 @@
-// values MODEL DESIRED NAME PRIMITIVES STATES FOLDER: the results of the functions of a library. When CALLS is the
-// header of calls of a compiled library, that is asked for the functions that it has, and the interpreter for the
-// others.
+// values MODEL DESIRED NAME PRIMITIVES STATES FOLDER: writes the results of a library's functions. If CALLS is the
+// calls header of a compiled library, the library evaluates the functions that it has, and the interpreter the others.
 #ifdef CALLS
 #include CALLS
 #endif
@@ -59,7 +58,7 @@ int main(int argc, char** argv) {
   using namespace robcogen;
   const std::vector<std::string> arguments(argv, argv + argc);
   if (arguments.size() < 7) return 2;
-  // Without passes, which change results by rounding only.
+  // No passes are run; they change results by rounding only.
   const auto library = octave::load(
       arguments[1], arguments[2], arguments[3], arguments[4], algorithm::groups(), {{}, 0},
       {arguments.begin() + 7, arguments.end()});

@@ -1,8 +1,7 @@
-// write_calls MODEL DESIRED NAME FILE: the text of a header with a row for each function of the robot's compiled
-// library.
+// write_calls MODEL DESIRED NAME FILE: writes a header with a row for each function of the robot's compiled library.
 //
-// The functions are those that the generator knows; a new algorithm is included automatically. Kernels are declared and
-// not defined: the library's own object code runs.
+// The functions are those that the generator knows, so a new algorithm is included automatically. Kernels are declared
+// but not defined: the library's own object code runs.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,17 +1,17 @@
-# Compiles single.cpp, kernels in float, and finds nothing of double precision in the assembly: no instruction on x86-64,
-# no routine of the compiler's library on a Cortex-M4F, which computes in float only.
+# Compiles single.cpp, which has kernels in float, and checks that the assembly contains nothing of double precision: no
+# instruction on x86-64, and no routine of the compiler's library on a Cortex-M4F, which computes in float only.
 #
 # cmake -D COMPILER=path -D PROCESSOR=x86|cortex_m4f -D INCLUDES=dir,dir -D WORK=file -P check_single.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
-# Headers of this machine for a processor that has no system: all that is read of them are declarations.
+# Uses the headers of this machine for a processor without an operating system: only declarations are read from them.
 function(borrow_headers result)
   execute_process(COMMAND ${COMPILER} -E -v -x c++ /dev/null OUTPUT_QUIET ERROR_VARIABLE text)
   string(REGEX MATCHALL "\n /[^ \n]+" directories "${text}")
   list(TRANSFORM directories REPLACE "\n " "-isystem;")
   list(FILTER directories EXCLUDE REGEX "isystem;.*/clang/")
-  # glibc wants it of any machine but its own.
+  # glibc requires this file on all machines but its own.
   file(WRITE ${WORK}.include/gnu/stubs-32.h "")
   set(${result} -nostdinc++ ${directories} -isystem ${WORK}.include PARENT_SCOPE)
 endfunction()

@@ -1,5 +1,5 @@
-// Compares flagged.cpp, whatever it was compiled with, with the same kernels in long double, compiled here without any
-// of these flags: in states of usual size, of large angles, and with a NaN.
+// Compares flagged.cpp, compiled with any flags, with the same kernels in long double, compiled here without any of
+// these flags: in states of usual size, with large angles, and with a NaN.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace {
 
 using Real = long double;
 
-// Of results relative to the largest of a call. Doubles lose digits where terms of states cancel.
+// Relative to the largest result of a call. Doubles lose digits in states where terms cancel.
 template <class Scalar>
 constexpr Real kKernelTolerance = 1e-12L;
 template <>
@@ -32,7 +32,7 @@ void expect(bool holds, const char* what, int precision, int index, Real found, 
   std::printf("%s, %d bytes, number %d: is %.17Lg, must be %.17Lg\n", what, precision, index, found, expected);
 }
 
-// A NaN stays one, and comes from nothing else.
+// A NaN stays a NaN, and does not arise from anything else.
 template <class Scalar>
 void compare(
     const char* what,

@@ -1,4 +1,4 @@
-// A user's own file: it includes headers of kernels, and is compiled as the user compiles.
+// A user's own file: it includes headers of kernels, and is compiled with the user's flags.
 #include "flagged.h"
 
 #include "hyl/kernel/forward_dynamics.h"

@@ -1,4 +1,4 @@
-// Functions of a user's own file, which includes kernels and is compiled with flags that kernels must stand.
+// Functions of a user's own file, which includes kernels and is compiled with flags that kernels must support.
 #pragma once
 
 namespace flagged {
@@ -21,7 +21,7 @@ void inverse_dynamics_of_legs(
     const Scalar* gravity,
     Scalar* results);
 
-// Of kAngles together, and of eight in lanes.
+// Sines and cosines of kAngles angles together, and of eight angles in lanes.
 template <class Scalar>
 void sines(const Scalar* q, Scalar* sine, Scalar* cosine);
 template <class Scalar>

@@ -1,8 +1,9 @@
-# Compiles flagged.cpp with flags that users have, links it with the comparison, which has none of them, and runs it.
+# Compiles flagged.cpp with flags that users have, links it with the comparison, which was compiled without them, and
+# runs it.
 #
 # cmake -D COMPILER=path -D "FLAGS=flag flag" -D INCLUDES=dir,dir -D REFERENCE=compare.o -D WORK=file -P run_flagged.cmake
 #
-# Without FLAGS it compiles the comparison, to REFERENCE.
+# Without FLAGS it compiles only the comparison, to REFERENCE.
 cmake_minimum_required(VERSION 3.22...3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
@@ -10,7 +11,7 @@ separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 list_includes(includes)
 if(flags)
   run(output ${COMPILER} -std=c++17 ${warnings} ${flags} ${includes} -c ${CMAKE_CURRENT_LIST_DIR}/flagged.cpp -o ${WORK}.o)
-  # With the same flags, as a build does: -ffast-math makes numbers below the normal ones zero in the whole program.
+  # Links with the same flags, as a build does: -ffast-math makes subnormal numbers zero in the whole program.
   run(output ${COMPILER} ${flags} ${REFERENCE} ${WORK}.o -o ${WORK})
   run(output ${WORK})
   message("${output}")

@@ -10,7 +10,7 @@ function(run output)
   set(${output} "${text}" PARENT_SCOPE)
 endfunction()
 
-# INCLUDES as options of a compiler.
+# Returns INCLUDES as compiler options.
 function(list_includes result)
   string(REPLACE "," ";" options "${INCLUDES}")
   list(TRANSFORM options PREPEND -I)

@@ -1,12 +1,12 @@
-// Generates code of random robots with congruent limbs, by many ways through the generator, and has it compiled: what
-// does not compile, or is not generated, is reported with the seed and the options that it came from.
+// Generates code for random robots with congruent limbs, with various options of the generator, and compiles it. If
+// code is not generated or does not compile, it reports the seed and the options.
 //
 //     compile_limbed_robots TOOL DIR FIRST COUNT COMPILER...
 //     compile_limbed_robots --run SOURCES TOOL DIR FIRST COUNT COMPILER...
 //
-// `COMPILER…` is a command that takes the name of one unit. Code of many robots is one unit, so that the compiler reads
-// headers once. With --run each robot, generated as by default, is linked with the self-check whose sources are in that
-// folder, and compared with the independent reference.
+// `COMPILER…` is a command that takes the name of one unit. A unit contains the code of many robots, so that the
+// compiler reads headers once. With --run each robot, generated with default options, is linked with the self-check
+// whose sources are in that folder, and compared with the independent reference.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Robots in one unit: beyond this the compiler takes more memory and no less time.
+// Robots in one unit: with more, the compiler takes more memory and no less time.
 constexpr std::uint64_t kTogether = 25;
 
-// Ways through the generator, from robot to robot.
+// Options of the generator, one set after the other for successive robots.
 constexpr const char* kDefault = "";
 constexpr const char* kOtherFunctions =
     "--algorithms inverse_dynamics,forward_dynamics,joint_space_inertia,coriolis_matrix,centroidal,velocities,"
@@ -50,12 +50,12 @@ std::string name_of(std::uint64_t seed) {
   return "limbs" + std::to_string(seed);
 }
 
-// Every kernel of the robot, compiled for double and float.
+// Includes every unit of the robot, with kernels for double and float.
 std::string includes(const fs::path& dir, const std::string& name) {
   std::vector<std::string> units;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(dir / name)) {
     const std::string unit = fs::relative(entry.path(), dir / name).generic_string();
-    // Other levels of functions over many states are the same text with other options of the compiler.
+    // Other levels of functions over many states are the same text, compiled with other options.
     if (unit.ends_with(".cpp") && (unit.find('/') == std::string::npos || unit.ends_with("_baseline.cpp")))
       units.push_back(unit);
   }
@@ -85,7 +85,8 @@ bool compiles(const std::string& compiler, const fs::path& dir, const std::vecto
   return std::system((compiler + " " + in_quotes(unit)).c_str()) == 0;
 }
 
-// Whether the self-check of the robot, one program, reports no fault; it has groups of functions by their headers.
+// True if the self-check of the robot, one program, reports no fault. The included headers determine its groups of
+// functions.
 bool passes(const std::string& compiler, const fs::path& dir, const std::string& selfcheck, std::uint64_t seed) {
   const std::string name = name_of(seed), unit = (dir / (name + "_check.cpp")).string();
   std::ofstream text(unit);

@@ -13,19 +13,20 @@ using Vector = std::array<double, 3>;
 
 constexpr double kPi = 3.141592653589793;
 
-// A link and the joint before it, the same in every copy except for signs.
+// A link and the joint that moves it; the same in every copy except for signs.
 struct Part {
   bool revolute = true;
-  int parent = -1;  // part of the same limb; -1: the link that carries the limb
+  int parent = -1;  // index of a part of the same limb; -1 for the link that carries the limb
   Vector translation{}, rotation{}, com{}, moments{};
-  std::array<bool, 3> in_decimals{};  // angles: right ones are 1.5707963267948966, not PI/2
+  std::array<bool, 3> in_decimals{};  // angles that are written as decimals: 1.5707963267948966, not PI/2
   double mass = 1.0;
-  std::string length_parameter, mass_parameter;  // of all copies, or empty
+  std::string length_parameter, mass_parameter;  // for all copies, or empty
 };
 
 using Limb = std::vector<Part>;
 
-// The signs of a mirror: of vectors. Of angles about the axes they are those of the other two together.
+// The signs of a mirror for the components of a vector. The sign of an angle about an axis is the product of the other
+// two.
 using Signs = std::array<int, 3>;
 
 class Document {
@@ -58,7 +59,7 @@ class Document {
   std::string links_, joints_;
 
   int pick(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-  // Decimals, as in most documents.
+  // Values have three decimals, as in most documents.
   double between(double low, double high) {
     return std::round((low + (high - low) * pick(10001) / 10000.0) * 1e3) / 1e3;
   }
@@ -84,7 +85,7 @@ class Document {
   }
 
   double angle() {
-    // Right angles as files have them after conversions and roundings.
+    // Right angles after conversions and rounding, as they are found in files.
     constexpr std::array<double, 12> kNear = {
         1e-16,   1e-9,     1e-5,    -1e-12,  1.57075,           -1.57075,
         4.63e-5, 3.141592, 3.14159, -1.5708, 1.570796324648725, 3.141592653559515};
@@ -112,7 +113,7 @@ class Document {
     return p;
   }
 
-  // The text that names them as children. `longest`: joints of a limb.
+  // Adds a set of limbs and returns the text that names them as children. `longest` limits the joints of a limb.
   std::string limbs(int longest) {
     const std::string set = "s" + std::to_string(sets_++) + "_";
     constexpr std::array<int, 8> kCounts = {2, 2, 2, 4, 4, 4, 3, 6};
@@ -142,9 +143,9 @@ class Document {
       (limb[k].parent < 0 ? roots : children[static_cast<std::size_t>(limb[k].parent)]) += child(link, joint);
       vary(limb[k], difference);
     }
-    const int first_id = last_id_ + 1;  // ids go along, parents first
+    const int first_id = last_id_ + 1;  // ids in sequence, parents first
     last_id_ += static_cast<int>(limb.size());
-    // A hand: fingers of one shape on the last link.
+    // The last link may carry a hand with fingers of one shape.
     const bool carries = number < 2 && joint_count_ + 4 < most_joints_ && pick(6) == 0;
     if (carries) children.back() += limbs(2);
     for (std::size_t k = 0; k < limb.size(); ++k) {
@@ -170,7 +171,7 @@ class Document {
     return "(" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + ")";
   }
 
-  // A multiple of a right angle is written as one.
+  // A multiple of a right angle is written as such.
   static std::string angle_text(double angle, bool in_decimals) {
     const double quarters = angle / (kPi / 2);
     if (in_decimals || angle == 0.0 || std::round(quarters) * (kPi / 2) != angle) return number(angle);

@@ -2,11 +2,11 @@
 //
 //     node code_server.js NODE_MODULES robcogen.vsix ROBCOGEN ROBOT CHROMIUM
 //
-// NODE_MODULES is made thus (Debian: libkrb5-dev libxkbfile-dev libsecret-1-dev chromium):
+// To create NODE_MODULES (Debian: libkrb5-dev libxkbfile-dev libsecret-1-dev chromium):
 //
 //     npm install --ignore-scripts code-server playwright-core && npm rebuild argon2
 //     cd node_modules/code-server/lib/vscode && npm install --ignore-scripts --omit=dev
-//     npm rebuild node-pty @vscode/spdlog        # builds what is needed even where it ends with an error
+//     npm rebuild node-pty @vscode/spdlog        # builds what is needed even if it ends with an error
 'use strict';
 
 const { execFileSync, spawn } = require('child_process');

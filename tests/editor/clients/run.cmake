@@ -1,4 +1,4 @@
-# A session of a real editor with the language server: the script of the client writes what holds and what does not.
+# Runs a session of a real editor with the language server; the client's script prints which checks hold and which fail.
 #
 # cmake -D CLIENT=neovim|emacs -D EDITOR=program -D REQUIRED=bool -D TOOL=robcogen -D SOURCE_DIR=dir -D FOLDER=dir -P run.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -13,7 +13,7 @@ endif()
 
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/home)
-# The program by its name on the path, as the pages of the editors have it.
+# The program is on the path under its own name, as the editors' pages assume.
 file(MAKE_DIRECTORY ${FOLDER}/bin)
 file(CREATE_LINK ${TOOL} ${FOLDER}/bin/robcogen SYMBOLIC)
 file(WRITE ${FOLDER}/arm.kindsl
@@ -27,7 +27,7 @@ file(WRITE ${FOLDER}/arm.kindsl
 ")
 file(WRITE ${FOLDER}/arm.dtdsl "Robot Arm\nFrames { fr_upper }\nTransforms { fr_base -> fr_upper }\n")
 
-# A folder of imports, which the client names in its settings.
+# A folder of imports that the client names in its settings.
 file(WRITE ${FOLDER}/parts/leg.kindsl
 "Part Leg {
     root hip via HAA

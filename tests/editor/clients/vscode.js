@@ -1,4 +1,4 @@
-// The extension of VS Code, with stand-ins for the modules that VS Code and npm give it.
+// Tests the VS Code extension with stand-ins for the modules of VS Code and npm.
 //
 //     node vscode.js EXTENSION ROBCOGEN ROBOT
 'use strict';
@@ -77,14 +77,14 @@ Module._load = (request, ...rest) => stand_ins[request] || load(request, ...rest
 const extension = require(process.argv[2]);
 const context = () => ({ subscriptions: [] });
 
-// Until the page or its title is as wanted.
+// Waits until the condition on the page or its title holds.
 async function until(condition) {
   for (let i = 0; i < 200 && !condition(); ++i) await new Promise((done) => setTimeout(done, 50));
   assert.ok(condition(), condition.toString());
 }
 
 async function preview() {
-  // The robot imports a part that is found in a folder of the settings only.
+  // The robot imports a part that is found only through a folder in the settings.
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'robcogen-test-'));
   fs.mkdirSync(path.join(folder, 'parts'));
   fs.writeFileSync(path.join(folder, 'parts', 'nothing.kindsl'), kPart);

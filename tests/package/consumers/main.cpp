@@ -1,4 +1,4 @@
-// A user's program: gravity and motion together give forces that the forward dynamics turns back into the motion.
+// A user's program: forward dynamics recovers the acceleration from the forces that inverse dynamics computes.
 #include <hyl/hyl.h>
 
 #include <cstdio>

@@ -1,5 +1,6 @@
-// No frame is large. Together, those of a body over many states, the kernel that it calls, the core and a part of that
-// are: 25,000 + 24,000 + 10,000 + 23,000 bytes. The other body and the other part do not count: no call is in both.
+// No single frame is large, but the frames of a body over many states, of the kernel that it calls, of the core and of
+// a part of the core add up: 25,000 + 24,000 + 10,000 + 23,000 bytes. The other body and the other part do not count,
+// because no call contains both.
 namespace offender {
 
 #define OFFENDER_FUNCTION(name, bytes)    \

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 using symbolic::Role;
 
-// The algorithm by itself, without any formulation: {qdd, base_acceleration}.
+// Runs the algorithm alone, without a formulation; returns {qdd, base_acceleration}.
 symbolic::Arrays<double> run_articulated(const model::KinematicTree& tree, const symbolic::Arrays<double>& inputs) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::force, State::base_velocity});
@@ -25,7 +25,7 @@ symbolic::Arrays<double> run_articulated(const model::KinematicTree& tree, const
   return symbolic::interpret<double>(program, inputs);
 }
 
-// Accelerations of some m/s^2 by a division or two.
+// Accelerations of a few m/s^2, computed with one or two divisions.
 void expect_accelerations(const std::vector<double>& found, const std::vector<double>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-12) << "element " << k;
@@ -47,7 +47,7 @@ TEST(ArticulatedBody, DoublePendulum) {
   expect_accelerations(found.at("qdd"), {(h22 * b1 - h12 * b2) / determinant, (h11 * b2 - h12 * b1) / determinant});
 }
 
-// A force on the second mass across its rod does what the joint force would.
+// A force on the second mass, perpendicular to its rod, has the effect of the equivalent joint forces.
 TEST(ArticulatedBody, AnExternalForceActsAsItsJointForcesDo) {
   const double q1 = 0.4, q2 = -1.1, push = 1.25;
   std::vector<double> wrenches(18, 0.0);
@@ -60,7 +60,7 @@ TEST(ArticulatedBody, AnExternalForceActsAsItsJointForcesDo) {
   expect_accelerations(by_wrench.at("qdd"), by_joints.at("qdd"));
 }
 
-// Newton's law of the relative motion of two bodies: the reduced mass moves in polar coordinates about the ball.
+// Newton's law for the relative motion of two bodies: the reduced mass moves in polar coordinates about the ball.
 TEST(ArticulatedBody, ABeadOnASpinningBall) {
   const double r = 0.6, rate = -0.8, spin = 2.5, force = 1.75;
   const double reduced = kBall * kBead / (kBall + kBead);

@@ -1,4 +1,4 @@
-// Regrouped mass properties by hand.
+// Base parameters, compared with regrouping by hand.
 #include "algorithm/formulation/base_parameters.h"
 
 #include "algorithm/dynamics/dynamics.h"
@@ -26,7 +26,8 @@ std::vector<MassProperties> regrouped_masses(Trace& trace) {
   return robot.masses;
 }
 
-// The second rod's mass, on its own joint's axis, does as well at the end of the first; the fixed base takes the rest.
+// The second rod's joint axis passes through the end of the first rod, so the second mass can be moved there; the fixed
+// base takes the rest.
 TEST(Regroup, MassOfTheSecondRodGoesToTheElbow) {
   const model::KinematicTree tree = two_rods();
   Trace trace(tree);
@@ -35,7 +36,7 @@ TEST(Regroup, MassOfTheSecondRodGoesToTheElbow) {
   expect_near(numbers(masses[2]), {0, kM2 * kL2, 0, 0, kM2 * kL2 * kL2, 0, 0, 0, 0, 0});
 }
 
-// A bead that slides does not turn on its own: its moments count as the ball's.
+// A bead that slides does not turn relative to the ball, so its moments are added to the ball's.
 TEST(Regroup, PseudoInertiaOfASliderGoesToTheParent) {
   model::Description d;
   d.name = "slider";
@@ -45,7 +46,7 @@ TEST(Regroup, PseudoInertiaOfASliderGoesToTheParent) {
   d.links = {model::test::link("bead")};
   d.links[0].inertia = point_mass_on_x(kBead, 0.5);
   model::Placement upright;
-  upright.rotation[1] = model::test::pi(1, 2);  // the slider's x axis is the ball's -z
+  upright.rotation[1] = model::test::pi(1, 2);  // the slider's x axis is the ball's -z axis
   d.joints = {model::test::joint("wire", model::JointType::prismatic, upright)};
   const model::KinematicTree tree = built(d);
   Trace trace(tree);

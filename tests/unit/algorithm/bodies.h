@@ -1,4 +1,4 @@
-// Bodies of point masses and poses of every part, as symbols with numbers behind them.
+// Bodies of point masses and random poses, as symbols with known numeric values.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,7 +18,8 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& p) {
   return m;
 }
 
-// Featherstone 2008, eq. 2.24 and 2.25: coordinates in the frame at T to those in the frame that T is given in.
+// Featherstone 2008, eq. 2.24 and 2.25: maps coordinates in the frame with pose T to coordinates in the frame in which
+// T is given.
 inline Matrix6d motion_transform(const Eigen::Isometry3d& t) {
   Matrix6d x = Matrix6d::Zero();
   x.topLeftCorner<3, 3>() = x.bottomRightCorner<3, 3>() = t.linear();
@@ -39,7 +40,7 @@ inline Matrix6d value(const Numbers& n, const SpatialInertia& x) {
   return Matrix6d(evaluate(n.graph, n.inputs, matrix(x).columns()).data());
 }
 
-// A body made of a few point masses: mass, first moment and pseudo-inertia are sums, and so is everything else.
+// A body of a few point masses: its mass, first moment, pseudo-inertia and everything else are sums over the points.
 struct Cloud {
   std::vector<double> mass;
   std::vector<Eigen::Vector3d> at;
@@ -73,17 +74,17 @@ struct Cloud {
       i += mass[k] * (at[k].squaredNorm() * Eigen::Matrix3d::Identity() - at[k] * at[k].transpose());
     return i;
   }
-  // The force that accelerates a body about the origin: of each mass m [-[r]x [r]x, [r]x; -[r]x, 1].
+  // The inertia about the origin, which maps acceleration to force: for each mass, m [-[r]x [r]x, [r]x; -[r]x, 1].
   Matrix6d spatial_inertia() const {
     Matrix6d sum = Matrix6d::Zero();
     for (std::size_t k = 0; k < mass.size(); ++k) {
-      Eigen::Matrix<double, 3, 6> acceleration;  // of the point, from that of the body
+      Eigen::Matrix<double, 3, 6> acceleration;  // of the point, from the body's
       acceleration << -cross_matrix(at[k]), Eigen::Matrix3d::Identity();
       sum += mass[k] * acceleration.transpose() * acceleration;
     }
     return sum;
   }
-  // As a document gives them: moments and products about the link's origin, products with positive sign.
+  // The inertia as a document gives it: moments and products about the link's origin, products with positive sign.
   model::Inertia document() const {
     const Eigen::Matrix3d tensor = inertia_tensor(), s = pseudo_inertia();
     model::Inertia inertia;
@@ -113,7 +114,7 @@ struct Cloud {
   }
 };
 
-// A pose of every part: quarter turns, planes, offset and slide.
+// A pose with every component: quarter turns, planes, offset and slide.
 struct RandomPose {
   explicit RandomPose(Numbers& n) {
     pose.rotation.quarter = quarter_turn(n.pick(3), n.pick(4));

@@ -205,7 +205,7 @@ TEST_P(EveryProgram, IsSoundUniqueAndExplained) {
   }
 }
 
-// Programs are data: the printed text is the traced program.
+// A program can be stored as text: the printed text reads back as the traced program.
 TEST_P(EveryProgram, ReadsBackFromText) {
   for (const RobotFunction& f : all(robot(GetParam()))) {
     std::string error;
@@ -338,7 +338,7 @@ TEST(RobotPrograms, ParametersAreTheFirstInput) {
   tree.links[1].inertia->mass = model::Quantity::parameter(0);
   for (const RobotFunction& f : all(tree)) {
     ASSERT_FALSE(f.program.inputs.empty());
-    if (f.program.inputs[0].role == symbolic::Role::inertia_factor) continue;  // all that parameters mean is in it
+    if (f.program.inputs[0].role == symbolic::Role::inertia_factor) continue;  // it includes the parameters
     EXPECT_EQ(f.program.inputs[0].role, symbolic::Role::parameters) << f.program.name;
     EXPECT_EQ(f.program.inputs[0].elements, std::vector<std::string>{"m"});
   }

@@ -1,4 +1,4 @@
-// Centre of mass, its Jacobian and the centroidal momentum matrix, of robots by hand.
+// Centre of mass, its Jacobian and the centroidal momentum matrix, compared with calculation by hand.
 #include <cmath>
 
 #include "algorithm/dynamics/dynamics.h"
@@ -26,7 +26,7 @@ TEST(Centroidal, JacobianOfTwoRods) {
   expect_near(run(center_of_mass_jacobian(two_rods(), "f"), kBent), columns);
 }
 
-// Two masses about their centre: angular momentum is that of the reduced mass, by their distance and its rate.
+// Two masses about their centre of mass: the angular momentum is that of the reduced mass at their distance.
 TEST(Centroidal, MomentumOfTwoRods) {
   const std::vector<double> A = run(centroidal_momentum_matrix(two_rods(), "f"), kBent);
   const std::vector<double> J = run(center_of_mass_jacobian(two_rods(), "f"), kBent);
@@ -54,13 +54,13 @@ TEST(Centroidal, BallAndBead) {
   expect_near(run(centroidal_momentum_matrix(ball_and_bead(), "f"), at), A);
 }
 
-// The zeros and ones of a rigid base are literals.
+// The zeros and ones that a rigid base contributes are literals.
 TEST(Centroidal, WhatIsKnownCostsNothing) {
   const symbolic::Program A = centroidal_momentum_matrix(ball_and_bead(), "f");
   for (std::size_t k = 18; k < 36; ++k) EXPECT_EQ(A.outputs[0].values[k].kind, symbolic::Operand::Kind::constant) << k;
 }
 
-// A robot of a fixed base only, or of massless links, has no centre of mass: the result is zero.
+// A robot that consists only of a fixed base or of massless links has no centre of mass, so the result is zero.
 TEST(Centroidal, OfNothingThatMoves) {
   model::Description d;
   d.name = "rock";

@@ -1,4 +1,5 @@
-// Frames of congruent limbs: what vanishes in the frames of the first limb vanishes in those of the others.
+// Link frames of congruent limbs: numbers that vanish in the frames of the first limb also vanish in those of the
+// others.
 #include "algorithm/search/corresponding_frames.h"
 
 #include <cmath>
@@ -14,14 +15,14 @@ using namespace test;
 using model::KinematicTree;
 using model::Quantity;
 
-// Roundings of moments of size 1.
+// Rounding errors of moments of size 1.
 constexpr double kVanishes = 1e-12;
 
 std::size_t joint(const KinematicTree& tree, const char* name) {
   return static_cast<std::size_t>(*tree.find_joint(name));
 }
 
-// Which numbers of the child of a joint vanish in these frames: offset, slide, moments.
+// Returns which numbers of a joint's child vanish in these frames: offset, slide, moments.
 std::vector<bool> vanishing(const KinematicTree& tree, Formulation formulation, const LinkFrames& frames, int joint) {
   formulation.frames = frames;
   Trace trace(tree);
@@ -41,7 +42,7 @@ std::vector<bool> vanishing(const KinematicTree& tree, Formulation formulation, 
 
 class CorrespondingFrames : public testing::TestWithParam<bool> {};
 
-// Of a mirrored leg, and of one that is longer.
+// The second leg is mirrored, or its shank has another centre of mass.
 TEST_P(CorrespondingFrames, MakeTheSameNumbersVanish) {
   const KinematicTree tree = two_legs(0.125, GetParam() ? -0.125 : 0.375);
   Formulation formulation;
@@ -66,7 +67,7 @@ TEST_P(CorrespondingFrames, MakeTheSameNumbersVanish) {
 
 INSTANTIATE_TEST_SUITE_P(Legs, CorrespondingFrames, testing::Bool());
 
-// No rule gives such a turn: it may be what another limb had to do with.
+// No rule gives this turn, so it may have a reason in another limb; the frames stay unchanged.
 TEST(CorrespondingFrames, OfATurnByNoRuleAreThoseThatThereWere) {
   const KinematicTree tree = two_legs(0.125, -0.125);
   Formulation formulation;

@@ -1,4 +1,4 @@
-// Energies of robots by hand.
+// Energies, compared with calculation by hand.
 #include <cmath>
 
 #include "algorithm/dynamics/dynamics.h"
@@ -19,14 +19,14 @@ TEST(Energy, KineticOfTwoRods) {
 }
 
 TEST(Energy, KineticOfBallAndBead) {
-  constexpr double q = 0.8, qd = 2, w = 0.5, v = -1.5;  // turning about z, flying along y
+  constexpr double q = 0.8, qd = 2, w = 0.5, v = -1.5;  // the ball turns about z and flies along y
   const double along = qd, across = v + w * q;
   expect_near(
       run(kinetic_energy(ball_and_bead(), "f"), {{"q", {q}}, {"qd", {qd}}, {"base_velocity", {0, 0, w, 0, v, 0}}}),
       {(kBallMoment * w * w + kBall * v * v + kBead * (along * along + across * across)) / 2});
 }
 
-// Turning about z, the rods keep their height; gravity along -y is work.
+// Rods that turn about z keep their height; with gravity along -y, turning does work.
 TEST(Energy, PotentialOfTwoRods) {
   const symbolic::Arrays<double> at{{"q", {kQ1, kQ2}}};
   expect_near(run(potential_energy(two_rods(), "f", Loads::standard_gravity), at), {0});
@@ -36,7 +36,7 @@ TEST(Energy, PotentialOfTwoRods) {
   expect_near(run(potential_energy(two_rods(), "f", Loads::gravity), sideways), {2 * height});
 }
 
-// Higher is more: m g h.
+// The potential energy increases with height: m g h.
 TEST(Energy, PotentialGrowsWithHeight) {
   model::Description d = model::test::two_links();
   d.joints[0].type = model::JointType::prismatic;

@@ -1,4 +1,4 @@
-// Derivatives of inverse dynamics of robots by hand.
+// Derivatives of inverse dynamics, compared with calculation by hand.
 #include <cmath>
 
 #include "algorithm/dynamics/dynamics.h"
@@ -38,8 +38,8 @@ TEST(InverseDynamicsDerivatives, OfTwoRods) {
   expect_near(found.at("d_qdd"), {H11, H12, H12, H22});
 }
 
-// At rest under gravity g along -x. The bead on the x axis of the ball carries its weight along the wire, whatever it
-// does there; a turn of the base about y lets the weight slip aside.
+// At rest, with gravity g along -x. The bead on the ball's x axis carries its weight along the wire at any position; if
+// the base turns about y, the weight gets a component across the wire.
 TEST(InverseDynamicsDerivatives, OfBallAndBeadAtRest) {
   constexpr double q = 0.8, g = 9.5, m = kBead, mass = kBall + kBead;
   const Arrays found = results(
@@ -53,7 +53,7 @@ TEST(InverseDynamicsDerivatives, OfBallAndBeadAtRest) {
   expect_near(found.at("base_wrench"), {0, 0, 0, mass * g, 0, 0});
   expect_near(found.at("d_q"), Values(7));
   expect_near(found.at("d_qdd"), {0, 0, 0, m, 0, 0, m});
-  // Gravity is g - turn x g then: a turn by y lets it tip to -z, one by z to +y.
+  // A small turn changes gravity to g - turn x g: about y it tips towards -z, about z towards +y.
   Values by_rotation(21);
   by_rotation[7 + 1] = -m * q * g;
   by_rotation[7 + 5] = mass * g;
@@ -62,7 +62,8 @@ TEST(InverseDynamicsDerivatives, OfBallAndBeadAtRest) {
   expect_near(found.at("d_base_rotation"), by_rotation);
 }
 
-// Velocities enter as squares, the joint-space inertia matrix is what accelerations meet, and gravity has a potential.
+// Coriolis forces are quadratic in the velocities, d_qdd is the joint-space inertia matrix, and gravity has a
+// potential.
 TEST(InverseDynamicsDerivatives, KeepIdentities) {
   const model::KinematicTree tree = two_rods();
   const Values q = {0.4, -1.1}, qd = {1.5, 0.25}, rest = {0, 0}, gravity = {3, -9.5, 1};
@@ -76,7 +77,7 @@ TEST(InverseDynamicsDerivatives, KeepIdentities) {
   EXPECT_NEAR(still.at("d_q")[1], still.at("d_q")[2], kByHand);
 }
 
-// Branches on a fixed base do not feel each other.
+// With a fixed base, branches do not affect each other.
 TEST(InverseDynamicsDerivatives, StructuralZerosAreLiteral) {
   model::Description d = model::test::two_links();
   d.base.children = {{"one", "a", {}, {}}, {"two", "b", {}, {}}};

@@ -1,4 +1,4 @@
-// Candidates for link frames: what they make vanish, and how far they go.
+// Candidates for link frames: which numbers they make zero, and how far the frames may move.
 #include "algorithm/search/frame_candidates.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace test;
 using model::KinematicTree;
 using model::Quantity;
 
-// Roundings of moments of size 10, and of candidates that are one when they are closer than 1e-9.
+// Rounding errors of moments of size 10, with candidates merged that are closer than 1e-9.
 constexpr double kVanishes = 1e-8;
 
 double value(const Candidate& c) {
@@ -23,7 +23,7 @@ bool any_of(const std::vector<Candidate>& list, const std::function<bool(double)
   return std::any_of(list.begin(), list.end(), [&](const Candidate& c) { return condition(value(c)); });
 }
 
-// A chain, of which the model's masses stay where they are.
+// A chain in which the model's mass properties stay at their links.
 class FrameCandidatesOf : public testing::TestWithParam<int> {
  protected:
   static constexpr int kJoints = 4;
@@ -32,7 +32,7 @@ class FrameCandidatesOf : public testing::TestWithParam<int> {
   FrameCandidates candidates{tree, plain_formulation()};
   LinkFrames frames = LinkFrames(kJoints);
 
-  // First moment and pseudo-inertia of the child of a joint in a frame turned by an angle about z.
+  // Returns the first moment and pseudo-inertia of a joint's child in a frame that is turned by an angle about z.
   std::pair<Eigen::Vector3d, Eigen::Matrix3d> turned(int joint, double angle) {
     const MassProperties m = mass_properties(n.trace, tree.links[static_cast<std::size_t>(joint + 1)]);
     const Eigen::Matrix3d r = turn(2, -angle);
@@ -58,8 +58,8 @@ TEST_P(FrameCandidatesOf, KeepWhatThereIsFirstAndNothingTwice) {
   }
 }
 
-// An axis of the frame goes through the centre of mass, along a principal axis of the cross-section, and where the
-// products with z are.
+// Turns align an axis of the frame with the centre of mass, with a principal axis of the cross-section, or with the
+// products of inertia with z.
 TEST_P(FrameCandidatesOf, TurnsMakeMomentsAndProductsVanish) {
   for (int j = 0; j < kJoints; ++j) {
     const std::vector<Candidate> turns = candidates.turns(j, frames);
@@ -71,7 +71,7 @@ TEST_P(FrameCandidatesOf, TurnsMakeMomentsAndProductsVanish) {
   }
 }
 
-// Moving the origin by s along z takes s h from the products with z.
+// Moving the origin by s along z subtracts s h from the products with z.
 TEST_P(FrameCandidatesOf, SlidesMakeProductsVanish) {
   const double angle = n.real();
   for (int j = 0; j < kJoints; ++j) {
@@ -79,20 +79,20 @@ TEST_P(FrameCandidatesOf, SlidesMakeProductsVanish) {
     const std::vector<Candidate> slides = candidates.slides(j, Quantity(angle), frames);
     for (int axis : {0, 1}) {
       const double needed = S(axis, 2) / h[axis];
-      if (std::abs(needed) > 1) continue;  // may be further than the robot is long
+      if (std::abs(needed) > 1) continue;  // may exceed the robot's length
       EXPECT_TRUE(any_of(slides, [&](double s) { return std::abs(S(axis, 2) - s * h[axis]) < kVanishes; }))
           << j << "xy"[axis];
     }
   }
 }
 
-// No further than all offsets of the chain one after another.
+// Slides are no longer than all offsets of the chain together.
 TEST_P(FrameCandidatesOf, SlidesStayWithinTheRobot) {
   double length = 0;
   for (const model::Joint& joint : tree.joints)
     for (const Quantity& t : joint.placement.translation) length += std::abs(t.number().value());
   for (const Quantity& c : tree.links.back().inertia->com) length += std::abs(c.number().value());
-  double longest = length;  // the longest of the paths that end in a link before
+  double longest = length;  // the longest path that ends in an earlier link
   for (const model::Link& link : tree.links)
     if (link.inertia)
       for (const Quantity& c : link.inertia->com) longest += std::abs(c.number().value());
@@ -102,7 +102,7 @@ TEST_P(FrameCandidatesOf, SlidesStayWithinTheRobot) {
 
 INSTANTIATE_TEST_SUITE_P(, FrameCandidatesOf, testing::Range(0, 20));
 
-// A second axis tilted by a little, 0.5 m away and across: the common normal meets the first axis far outside.
+// A slightly tilted second axis, at a distance of 0.5 m: the common normal meets the first axis far outside the robot.
 KinematicTree tilted_axes(double tilt) {
   model::Description d = model::test::two_links();
   d.joints[1].placement.translation[1] = Quantity(0.5);
@@ -118,7 +118,7 @@ TEST(FrameCandidates, FeetOfCommonNormalsCountWithinTheRobot) {
   // z' = (0, -sin, cos) through (0, 0.5, 0) meets the first axis at z = 0.5 / tan.
   const auto is_foot = [](double tilt) { return [=](double s) { return std::abs(s - 0.5 / std::tan(tilt)) < 1e-12; }; };
   EXPECT_TRUE(any_of(feet(1.0), is_foot(1.0)));
-  EXPECT_FALSE(any_of(feet(0.5), is_foot(0.5)));  // 0.9 m, of a robot of half a metre
+  EXPECT_FALSE(any_of(feet(0.5), is_foot(0.5)));  // 0.9 m, in a robot of half a metre
   EXPECT_FALSE(any_of(feet(0.01), is_foot(0.01)));
 }
 

@@ -1,4 +1,5 @@
-// Jacobians in three references, their derivatives, velocities and accelerations of the end of a rod, by hand.
+// Jacobians in three references, their derivatives, velocities and accelerations of a rod's end, compared with
+// calculation by hand.
 #include <algorithm>
 #include <cmath>
 
@@ -42,13 +43,13 @@ TEST_F(FrameMotion, JacobianInTargetAxes) {
       {0, 0, 1, kL1 * std::sin(kQ2), kL1 * std::cos(kQ2), 0, 0, 0, 1, 0, 0, 0});
 }
 
-// A point of the second rod at the base origin moves when the elbow does.
+// When the elbow moves, so does the point of the second rod that coincides with the base origin.
 TEST_F(FrameMotion, SpatialJacobian) {
   expect_near(value(geometric_jacobian, forth, JacobianReference::spatial), {0, 0, 1, 0, 0, 0, 0, 0, 1, kY, -kX, 0});
 }
 
-// From the rod, the base moves the other way; in the base's axes the columns are those of the spatial Jacobian, turned
-// round.
+// Seen from the rod, the base moves in the opposite direction; in the base's axes, the columns are the negated columns
+// of the spatial Jacobian in reverse order.
 TEST_F(FrameMotion, ReferencesOfTheWayBack) {
   std::vector<double> there = value(geometric_jacobian, forth, JacobianReference::spatial);
   std::vector<double> columns;
@@ -61,7 +62,7 @@ TEST_F(FrameMotion, JacobianDerivative) {
   expect_near(value(jacobian_derivative, forth), {0, 0, 0, -kX * kQd1, -kY * kQd1, 0, 0, 0, 0, 0, 0, 0});
 }
 
-// Nothing but the centripetal acceleration of the elbow.
+// Only the centripetal acceleration of the elbow remains.
 TEST_F(FrameMotion, JacobianDerivativeTimesVelocity) {
   expect_near(value(jacobian_derivative_times_velocity, forth), {0, 0, 0, -kX * kQd1 * kQd1, -kY * kQd1 * kQd1, 0});
 }

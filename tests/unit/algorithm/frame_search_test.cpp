@@ -1,4 +1,4 @@
-// Link frames that the search finds: cheaper than those of the model, with the same results.
+// The link frames that the search finds are cheaper than the model's and give the same results.
 #include "algorithm/search/frame_search.h"
 
 #include <cmath>
@@ -22,7 +22,7 @@ symbolic::Program inertia(const model::KinematicTree& tree, const Formulation& f
 
 const TraceOf kInertia = trace_joint_space_inertia;
 
-// The second rod of a planar arm, given in axes that its mass is not on.
+// A planar arm whose second rod is given in axes that do not pass through its mass.
 model::KinematicTree crooked_arm() {
   model::Description d;
   d.name = "crooked";
@@ -89,7 +89,7 @@ class SearchOf : public testing::TestWithParam<int> {
   }
 };
 
-// The whole chain is what each of its joints has to do with: no step of the search raises its cost.
+// Every joint of a chain affects the whole chain, so no step of the search increases its cost.
 TEST_P(SearchOf, FramesCostNoMoreThanTheModels) {
   using Function = symbolic::Program (*)(const model::KinematicTree&, const Formulation&);
   const std::vector<std::pair<TraceOf, Function>> functions = {
@@ -106,14 +106,14 @@ TEST_P(SearchOf, FramesKeepTheResults) {
   const LinkFrames frames = cheap_frames(tree, {.effort = 1}, trace_inverse_dynamics);
   const std::vector<double> expected = run(inverse_dynamics(tree, plain_formulation()), state);
   const std::vector<double> found = run(inverse_dynamics(tree, {.frames = frames}), state);
-  double size = 0;  // of the forces: some thousand newtons where velocities are a few rad/s
+  double size = 0;  // largest force: some thousand newtons at velocities of a few rad/s
   for (const double force : expected) size = std::max(size, std::abs(force));
   for (std::size_t j = 0; j < expected.size(); ++j) EXPECT_NEAR(found[j], expected[j], 1e-12 * size) << j;
 }
 
 INSTANTIATE_TEST_SUITE_P(, SearchOf, testing::Range(0, 8));
 
-// Crooked shanks whose axis through the mass is at the same angle, or at the opposite one.
+// Crooked shanks; the axis through the mass has the same angle in both, or the opposite one.
 TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
   const model::KinematicTree tree = two_legs(0.125, -0.125);
   const LinkFrames frames = cheap_frames(tree, {.effort = 1}, kInertia);
@@ -126,7 +126,7 @@ TEST(FrameSearch, LimbsOfOneShapeGetCorrespondingFrames) {
         frame((std::string("R_") + joint).c_str()).turns_with_joint);
 }
 
-// The second leg takes what was found for the first: it is traced to compare its cost and its digits only.
+// The second leg reuses the result for the first: it is traced only to compare its cost and its accuracy.
 TEST(FrameSearch, SearchesLimbsOfOneShapeOnce) {
   const model::KinematicTree tree = two_legs(0.125, -0.125);
   std::map<char, int> traces;  // by the first letter of the joints

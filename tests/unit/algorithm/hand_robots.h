@@ -1,4 +1,4 @@
-// Small robots whose mechanics can be written down by hand.
+// Small robots whose mechanics can be computed by hand.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace robcogen::algorithm::test {
 
-// A few roundings of numbers of order 1.
+// A few rounding errors of numbers of order 1.
 inline constexpr double kByHand = 1e-14;
 
 inline model::KinematicTree built(const model::Description& d) {
@@ -32,9 +32,9 @@ inline model::Inertia point_mass_on_x(double mass, double x) {
   return i;
 }
 
-// Point masses m1 and m2 on massless rods, turning about base z; at q = 0 stretched along base x. The base is heavy,
-// and fixed: it must not matter.
-inline constexpr double kM1 = 2.0, kL1 = 0.75, kM2 = 0.5, kL2 = 1.25;  // masses stand at the ends of their rods
+// Point masses m1 and m2 on massless rods that turn about the base's z axis; at q = 0 they stretch along its x axis.
+// The base is heavy and fixed, so its mass must have no effect.
+inline constexpr double kM1 = 2.0, kL1 = 0.75, kM2 = 0.5, kL2 = 1.25;  // the masses are at the ends of their rods
 
 inline model::KinematicTree two_rods() {
   model::Description d = model::test::two_links();
@@ -45,7 +45,7 @@ inline model::KinematicTree two_rods() {
   return built(d);
 }
 
-// A floating ball and a point mass that slides along the ball's x axis: at q from its centre.
+// A floating ball and a point mass that slides along the ball's x axis, at distance q from its centre.
 inline constexpr double kBall = 3.0, kBallMoment = 0.1, kBead = 1.5;
 
 inline model::KinematicTree ball_and_bead() {

@@ -11,7 +11,8 @@ namespace {
 using namespace test;
 using symbolic::Program;
 
-// A tree without symmetries, link l<i> at the end of joint j<i>; `parents[i]` is the link that carries it, -1 the base.
+// A tree without symmetries; link l<i> is the child of joint j<i>, and `parents[i]` is the link that carries it (-1:
+// the base).
 model::KinematicTree tree_of(const std::vector<int>& parents, bool floating) {
   model::Description d;
   d.name = "tree";
@@ -39,7 +40,7 @@ model::KinematicTree tree_of(const std::vector<int>& parents, bool floating) {
   return built(d);
 }
 
-// Whether coordinate b is a or carries it.
+// True if coordinate b is a or carries a.
 bool carries(const std::vector<int>& parents, bool floating, int b, int a) {
   const int base = floating ? 6 : 0;
   if (b < base) return b <= a;
@@ -48,7 +49,7 @@ bool carries(const std::vector<int>& parents, bool floating, int b, int a) {
   return false;
 }
 
-// `x` for an output that is not a literal zero, row by row.
+// Marks outputs that are not literal zeros with `x`, row by row.
 std::vector<std::string> pattern(const Program& p) {
   const symbolic::OutputArray& output = p.outputs[0];
   std::vector<std::string> rows(static_cast<std::size_t>(output.rows));
@@ -79,7 +80,7 @@ struct Programs {
   Program factor, solve, inverse_L, inverse;
 };
 
-// L^T L by hand: the last pivot is the lower rod's own moment.
+// L^T L by hand: the last pivot is the moment of the lower rod.
 TEST(JointSpaceInertiaFactor, OfTwoRods) {
   constexpr double q2 = -1.1;
   const double own = kM2 * kL2 * kL2, coupled = own + kM2 * kL1 * kL2 * std::cos(q2);
@@ -118,8 +119,8 @@ TEST_P(OfATree, IsZeroButForAncestors) {
             }));
 }
 
-// A square root and a division a coordinate, but for leaves, whose own inertia is constant; none of them after that.
-// Two products an element of L to solve.
+// The factor takes a square root and a division for each coordinate except the leaves, whose inertia is constant; later
+// functions take none. Solving takes two products for each element of L.
 TEST_P(OfATree, CostsWhatItsElementsCost) {
   const Programs p(tree_of(parents_, GetParam()));
   int below_diagonal = 0, in_inverse = 0;
@@ -127,7 +128,7 @@ TEST_P(OfATree, CostsWhatItsElementsCost) {
     for (int b = 0; b < a; ++b) {
       if (!carries(parents_, GetParam(), b, a)) continue;
       ++below_diagonal;
-      ++in_inverse;  // the factor of the row
+      ++in_inverse;  // the row's factor
       for (int k = b; k < a; ++k)
         in_inverse += carries(parents_, GetParam(), b, k) && carries(parents_, GetParam(), k, a) ? 1 : 0;
     }
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Bases, OfATree, testing::Values(false, true), [](const 
   return std::string(each.param ? "Floating" : "Fixed");
 });
 
-// Joints in an order in which children come first: L is not triangular, but as sparse, and still a factor.
+// In the document's order, children come before parents: L is not triangular, but it is as sparse and still a factor.
 TEST(JointSpaceInertiaFactor, KeepsTheOrderOfTheDocument) {
   const std::vector<int> parents = {1, 2, -1, 1};
   const model::KinematicTree tree = tree_of(parents, false);
@@ -162,7 +163,7 @@ TEST(JointSpaceInertiaFactor, KeepsTheOrderOfTheDocument) {
   expect_near(product, H);
 }
 
-// Two independent slides: all of H is constant, and so is L.
+// Two independent slides: H is constant, so L is too.
 TEST(JointSpaceInertiaFactor, OfAConstantMatrixIsConstant) {
   model::Description d = model::test::two_links();
   for (model::DescribedJoint& joint : d.joints) joint.type = model::JointType::prismatic;

@@ -1,4 +1,4 @@
-// Joints of all types against their motion subspace in 6 x 6 matrices of Eigen.
+// Joints of all types, compared with their motion subspaces in 6 x 6 Eigen matrices.
 #include "algorithm/spatial/joint.h"
 
 #include "bodies.h"
@@ -16,7 +16,7 @@ using test::Numbers;
 using test::RandomPose;
 using test::Vector6d;
 
-// A joint of each type, with the numbers of random states.
+// A joint of one type, with the numbers of random states.
 class JointTypes : public testing::TestWithParam<std::tuple<model::JointType, int>> {
  protected:
   static constexpr double kPitch = -0.7;
@@ -26,7 +26,7 @@ class JointTypes : public testing::TestWithParam<std::tuple<model::JointType, in
   Joint joint{0, 1, type, n.expression(kPitch)};
   double turn = type == model::JointType::prismatic ? 0 : 1;
   double slide = type == model::JointType::revolute ? 0 : type == model::JointType::prismatic ? 1 : kPitch;
-  int axis = turn == 1 ? 2 : 5;  // of the coordinate
+  int axis = turn == 1 ? 2 : 5;  // element of the coordinate
   // Featherstone 2008, table 4.1.
   Vector6d S = turn * Vector6d::Unit(2) + slide * Vector6d::Unit(5);
 
@@ -64,7 +64,7 @@ TEST_P(JointTypes, GivesUpItsRate) {
   EXPECT_TRUE(value(n, v).isApprox(before - S * rate, kTolerance));
 }
 
-// S x V = [w]x 0; [v]x [w]x of S, times V (Featherstone 2008, eq. 2.31).
+// S x V: the matrix [w]x 0; [v]x [w]x of S, times V (Featherstone 2008, eq. 2.31).
 TEST_P(JointTypes, CrossProductOfTheSubspace) {
   const Motion v = motion();
   Matrix6d cross = Matrix6d::Zero();
@@ -81,7 +81,7 @@ TEST_P(JointTypes, VelocityOfAChild) {
   EXPECT_TRUE(value(n, across_joint(joint, random.pose, parent, {n.expression(rate)})).isApprox(expected, 1e-12));
 }
 
-// Accelerations of a point of the parent in moving axes.
+// Accelerations of a point of the parent, in moving axes.
 TEST_P(JointTypes, MotionOfAChild) {
   const RandomPose random(n);
   const LinkMotion parent{{n.vector(), n.vector()}, n.vector()};
@@ -111,12 +111,12 @@ TEST_P(JointTypes, InertiaTimesTheSubspace) {
   EXPECT_TRUE(value(n, times_subspace(any, joint)).isApprox(value(n, any) * S, kTolerance));
 }
 
-// What is left of the inertia is the Schur complement; a free joint takes no force.
+// The remaining inertia is the Schur complement; a free joint takes no force.
 TEST_P(JointTypes, ReleasedInertiaIsTheSchurComplement) {
   const SpatialInertia body = {n.symmetric(), n.matrix(), n.symmetric()};
   const Matrix6d whole = value(n, body);
   const double D = S.dot(whole * S);
-  if (std::abs(D) < 0.1) return;  // nothing to divide by
+  if (std::abs(D) < 0.1) return;  // too small to divide by
   const Force U = times_subspace(body, joint);
   const Force gain = (n.graph.one() / project(joint, U)) * U;
   const SpatialInertia left = released(body, joint, U, gain);

@@ -1,4 +1,4 @@
-// Transforms and Jacobians of every pair of frames against plain products of matrices.
+// Transforms and Jacobians of every pair of frames, compared with plain matrix products.
 #include "algorithm/kinematics/kinematics.h"
 
 #include <Eigen/Dense>
@@ -20,7 +20,8 @@ using model::Quantity;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// base -a-> trunk -> (b-> arm -e-> hand, c-> leg), joints of both types in skew places, frames on every kind of link.
+// base -a-> trunk -> (b-> arm -e-> hand, c-> leg): revolute and prismatic joints in skew places, frames on every kind
+// of link.
 KinematicTree robot(bool skew) {
   using model::test::pi;
   const auto placed = [&](double x, double y, double z, const Quantity& rx, const Quantity& ry, const Quantity& rz) {
@@ -87,7 +88,7 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& p) {
   return m;
 }
 
-// Every ordered pair of frames, each frame with itself included.
+// Every ordered pair of frames, including each frame with itself.
 std::vector<FramePair> all_pairs(const KinematicTree& tree) {
   std::vector<FramePair> pairs;
   for (const model::Frame& left : tree.frames())
@@ -124,12 +125,12 @@ TEST_P(Kinematics, MotionAndForceTransforms) {
     force << r, pr, none, r;
     EXPECT_TRUE(run(coordinate_transform(tree, pair, TransformForm::spatial_motion, "x")).isApprox(motion, 1e-13));
     EXPECT_TRUE(run(coordinate_transform(tree, pair, TransformForm::spatial_force, "x")).isApprox(force, 1e-13));
-    // Power does not depend on the frame.
+    // Power is the same in both frames.
     EXPECT_TRUE((motion.transpose() * force).isIdentity(1e-12));
   }
 }
 
-// The joints between two links: those above one of them and not above both.
+// The joints between two links: those above exactly one of them.
 std::map<int, bool> joints_between(const KinematicTree& tree, const FramePair& pair) {
   const auto above = [&](const model::Frame& frame) {
     std::map<int, bool> joints;
@@ -147,7 +148,7 @@ std::map<int, bool> joints_between(const KinematicTree& tree, const FramePair& p
   return between;
 }
 
-// Velocity of the right frame's origin, and angular velocity, by central differences of its pose in the left frame.
+// Angular velocity and velocity of the right frame's origin, from central differences of its pose in the left frame.
 Eigen::Matrix<double, 6, 1> twist(const KinematicTree& tree, const FramePair& pair, std::vector<double> q, int joint) {
   constexpr double kStep = 1e-5;
   const Eigen::Matrix3d r = relative(tree, pair, q).linear();
@@ -163,7 +164,7 @@ Eigen::Matrix<double, 6, 1> twist(const KinematicTree& tree, const FramePair& pa
 }
 
 TEST_P(Kinematics, Jacobians) {
-  constexpr double kDifferences = 1e-9;  // of the step's square, and roundings over the step
+  constexpr double kDifferences = 1e-9;  // square of the step, and rounding errors divided by the step
   for (const FramePair& pair : all_pairs(tree)) {
     SCOPED_TRACE(pair.left.name + "_J_" + pair.right.name);
     const std::vector<int> columns = chain_coordinates(tree, pair);
@@ -214,7 +215,7 @@ TEST(KinematicChain, AFrameInItselfIsTheIdentityAndCostsNothing) {
   }
 }
 
-// One sine and cosine a joint, whatever stands between the joints.
+// Each joint costs one sine and cosine, whatever is between the joints.
 TEST(KinematicChain, EachJointCostsOneSineAndCosine) {
   const KinematicTree tree = robot(true);
   const FramePair pair = pair_of(tree, "camera", "finger");

@@ -1,4 +1,4 @@
-// Elimination of a symmetric positive definite matrix against Eigen.
+// Elimination of a symmetric positive definite matrix, compared with Eigen.
 #include "algorithm/dynamics/ldl.h"
 
 #include "values.h"
@@ -27,7 +27,7 @@ TEST(Solve, SymmetricPositiveDefinite) {
   }
 }
 
-// A diagonal costs a division and a product each; zeros stay zero.
+// For a diagonal matrix, each element costs a division and a product; zeros stay zero.
 TEST(Solve, ZerosCostNothing) {
   test::Numbers n;
   SquareMatrix a(3);

@@ -1,4 +1,4 @@
-// Trials of limbs: traced once, weighed as their programs are, and judged by the digits that they keep.
+// Limb trials: each is traced once, has the weight of its program, and is judged by its loss of digits.
 #include "algorithm/search/limb_trials.h"
 
 #include "algorithm/dynamics/dynamics.h"

@@ -1,4 +1,4 @@
-// A robot reduced to one limb: the same mechanism as far as the limb goes.
+// A robot reduced to one limb is the same mechanism as far as this limb is concerned.
 #include "algorithm/search/limb_view.h"
 
 #include <set>
@@ -25,7 +25,7 @@ class LimbViews : public testing::TestWithParam<int> {
       for (std::vector<double>* state : {&q, &qd, &qdd}) state->push_back(n.real());
   }
 
-  // Whether a joint stands on the path from the base to another.
+  // True if a joint is on the path from the base to another joint.
   bool is_ancestor(int joint, int of) const {
     for (int j = of; j >= 0; j = tree.parent_joint_of(j))
       if (j == joint) return true;
@@ -68,7 +68,8 @@ TEST_P(LimbViews, AreTreesOfTheirOwn) {
   }
 }
 
-// What a joint has to do with is all there: its row of the inertia matrix, and the forces of inverse dynamics.
+// Everything that affects a joint is in its view: its row of the inertia matrix and its inverse-dynamics force are the
+// same.
 TEST_P(LimbViews, FeelTheSameForces) {
   const std::vector<double> tau =
       run(newton_euler(tree, "f", Loads::standard_gravity), {{"q", q}, {"qd", qd}, {"qdd", qdd}});

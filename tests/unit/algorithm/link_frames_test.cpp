@@ -1,4 +1,4 @@
-// Placements split along axes. That results do not depend on frames is a property of random robots
+// Placements split along axes. Other tests check on random robots that results do not depend on frames
 // (frame_search_test.cpp, tests/numeric/passes_test.cpp).
 #include "algorithm/formulation/link_frames.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kTolerance = 1e-13;  // some roundings of numbers of size 1, divided by sines of no less than 0.1
+constexpr double kTolerance = 1e-13;  // a few rounding errors of numbers of size 1, divided by sines of at least 0.1
 
 double value(const model::Quantity& q) {
   return q.number().value();
@@ -81,7 +81,7 @@ TEST(AxisPlacement, SplitsAtRightAnglesExactly) {
   EXPECT_EQ(value(split.to_axis[1].amount), 0.5);
 }
 
-// The cosine of the turn about x between two axes, beside another one of 45 degrees.
+// The cosine of the turn about x between two axes, followed by a turn of 45 degrees.
 double cosine_between_axes(const model::Quantity& turn) {
   model::Placement placement;
   placement.translation[0] = model::Quantity(*Number::parse("0.3"));
@@ -94,10 +94,10 @@ double cosine_between_axes(const model::Quantity& turn) {
   return cosine;
 }
 
-// A cosine of 6e-17 would be an operation at each use.
+// A cosine of 6e-17 instead of zero would cost an operation at each use.
 TEST(AxisPlacement, KeepsRightAnglesBesideOthersExact) {
   EXPECT_EQ(cosine_between_axes(model::test::pi(1, 2)), 0.0);
-  EXPECT_EQ(cosine_between_axes(model::Quantity(1.5707963267948966)), 0.0);  // as documents without PI have it
+  EXPECT_EQ(cosine_between_axes(model::Quantity(1.5707963267948966)), 0.0);  // as in documents without PI
 }
 
 TEST(AxisPlacement, KeepsAnglesThatAreNearlyRight) {

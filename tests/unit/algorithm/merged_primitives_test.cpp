@@ -1,4 +1,4 @@
-// Merged products of primitive transforms against products of 4 x 4 matrices.
+// Merged products of primitive transforms, compared with products of 4 x 4 matrices.
 #include "algorithm/kinematics/merged_primitives.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using model::PrimitiveTransform;
 using model::Quantity;
 using Primitives = std::vector<PrimitiveTransform>;
 
-constexpr double kTolerance = 1e-13;  // some tens of factors of size 1
+constexpr double kTolerance = 1e-13;  // about twenty factors of size 1
 
 PrimitiveTransform rotation(Axis axis, const Quantity& angle) {
   return {true, axis, angle};
@@ -42,7 +42,7 @@ Eigen::Matrix4d product(const Primitives& primitives) {
 const Quantity kAngle = Quantity::variable(0), kOther = Quantity::variable(1), kLength = Quantity::parameter(0);
 const Quantity kNumber = Quantity(0.25);
 
-// Products of all kinds: few axes and amounts, so that neighbours often merge or cancel.
+// Random products with few axes and amounts, so that neighbours often merge or cancel.
 class RandomProducts : public testing::TestWithParam<unsigned> {
  protected:
   Primitives make() {
@@ -65,7 +65,7 @@ TEST_P(RandomProducts, StayTheSame) {
   EXPECT_LE(after.size(), before.size());
 }
 
-// No two that stand side by side could still be one; nothing is left that does nothing.
+// No two neighbours could still be merged, and no primitive is the identity.
 TEST_P(RandomProducts, LeaveNothingToMerge) {
   const Primitives after = merged(make());
   for (std::size_t k = 0; k < after.size(); ++k) {
@@ -91,7 +91,7 @@ TEST(MergedPrimitives, StayApartAcrossWhatDoesNot) {
       merged({translation(Axis::z, kLength), rotation(Axis::x, kAngle), translation(Axis::z, kLength)}).size(), 3U);
 }
 
-// There and back again: each pair that vanishes brings the next one together.
+// Motion there and back: each pair that cancels makes the next pair neighbours.
 TEST(MergedPrimitives, OppositeOnesVanishFromInsideOut) {
   EXPECT_TRUE(merged({rotation(Axis::x, kAngle), translation(Axis::y, kLength), rotation(Axis::y, kOther - kAngle),
                       rotation(Axis::y, kAngle - kOther), translation(Axis::y, -kLength), rotation(Axis::x, -kAngle)})

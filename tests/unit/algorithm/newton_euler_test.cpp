@@ -1,4 +1,4 @@
-// Mass properties, motions and wrenches of links against sums over point masses.
+// Mass properties, motions and wrenches of links, compared with sums over point masses.
 #include "algorithm/dynamics/newton_euler.h"
 
 #include "bodies.h"
@@ -60,7 +60,7 @@ TEST_P(NewtonEuler, WrenchesMoveToTheParent) {
   EXPECT_TRUE(n.value(moved.moment).isApprox(moment, kTolerance));
 }
 
-// The power of a force is the same in both frames, and the way back undoes the way.
+// The power of a force is the same in both frames, and the inverse transform restores the motion.
 TEST_P(NewtonEuler, MotionsMoveAgainstWrenches) {
   const RandomPose random(n);
   const Motion motion{n.vector(), n.vector()};
@@ -73,7 +73,7 @@ TEST_P(NewtonEuler, MotionsMoveAgainstWrenches) {
   EXPECT_TRUE(n.value(back.linear).isApprox(n.value(motion.linear), 10 * kTolerance));
 }
 
-// Of the equivalent forms of the moment, whichever is cheapest where angular velocity or acceleration have zeros.
+// Zeros in the angular velocity and acceleration decide which of the equivalent forms of the moment is cheapest.
 TEST_P(NewtonEuler, TheWrenchThatMovesALink) {
   const Cloud body = Cloud::random(n);
   LinkMotion motion{{n.vector(), n.vector()}, n.vector()};
@@ -91,7 +91,7 @@ TEST_P(NewtonEuler, TheWrenchThatMovesALink) {
   }
   const MassProperties m = body.symbols(n);
   const Force wrench = link_wrench(n.trace, m, motion);
-  // Sums of five points of some newtons.
+  // Sums over five points, of a few newtons.
   EXPECT_LT((n.value(wrench.linear) - force).norm(), 10 * kTolerance * (1 + force.norm()));
   EXPECT_LT((n.value(wrench.moment) - moment).norm(), 10 * kTolerance * (1 + moment.norm()));
   const Force only_z = link_wrench(n.trace, m, motion, {}, true);

@@ -1,4 +1,4 @@
-// Paths between frames: what they are cut into, and where they lead, against poses by Eigen.
+// Paths between frames: their segments, and the poses that they lead to, compared with Eigen.
 #include "algorithm/kinematics/path.h"
 
 #include <Eigen/Geometry>
@@ -27,7 +27,7 @@ model::Placement placed(std::array<double, 3> t, std::array<double, 3> r) {
   return p;
 }
 
-// base -turn-> arm -slide-> hand with a frame `tip`; base -tilt-> leg. Declared in another order.
+// base -turn-> arm -slide-> hand with a frame `tip`; base -tilt-> leg. The document declares them in another order.
 KinematicTree robot() {
   model::Description d;
   d.name = "robot";
@@ -58,7 +58,7 @@ Eigen::Isometry3d child_in_parent(const KinematicTree& tree, int joint) {
 class Paths : public testing::Test {
  protected:
   KinematicTree tree = robot();
-  // leg -> tip: back along `tilt`, then along `turn` and `slide`.
+  // leg -> tip: backwards along `tilt`, then along `turn` and `slide`.
   Path path = path_between(tree, pair("fr_leg", "tip"));
   Eigen::Isometry3d to_arm = child_in_parent(tree, 1).inverse() * child_in_parent(tree, 2);
   Eigen::Isometry3d to_hand = to_arm * child_in_parent(tree, 0);
@@ -100,7 +100,7 @@ TEST_F(Paths, OfFramesOfOneLinkHaveOneSegment) {
 }
 
 TEST_F(Paths, LeadPastEachJoint) {
-  // Backwards past `tilt`: to the frame of that joint, which the base carries.
+  // Backwards past `tilt`: to this joint's frame, which is fixed to the base.
   const Eigen::Isometry3d expected[] = {motion_of(tree, 1).inverse(), to_arm, to_hand, to_tip};
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
@@ -152,7 +152,7 @@ TEST(PathTail, BeginsBehindTheLastRotation) {
   EXPECT_EQ(behind_last_turn({segment({slide}), segment({slide})}), 0);
   EXPECT_EQ(behind_last_turn({segment({slide, turn}), segment({slide}), segment({slide})}), 1);
   EXPECT_EQ(behind_last_turn({segment({turn}), segment({turn, slide}), segment({slide})}), 1);
-  // Nothing is behind it.
+  // Nothing follows the last turn.
   EXPECT_EQ(behind_last_turn({segment({turn}), segment({slide, turn})}), 1);
   EXPECT_EQ(behind_last_turn({segment({})}), 0);
 }

@@ -1,4 +1,4 @@
-// Loops in a plane as pivots: against frames in space.
+// Planar loops as pivots, compared with frames in space.
 #include "algorithm/spatial/planar_loop.h"
 
 #include "algorithm/spatial/trace.h"
@@ -17,8 +17,8 @@ model::Placement placement(double x, double y, double z, double turn_x, double t
   return result;
 }
 
-// base -a-> crank -b-> rod, base -c-> rocker; axes are tilted, that of c points the other way, and b slides across.
-// Closed at q = 0.
+// base -a-> crank -b-> rod, base -c-> rocker. The axes are tilted, the axis of c has the opposite direction, and b
+// slides across. The loop is closed at q = 0.
 model::Description linkage() {
   model::Description d;
   d.name = "linkage";
@@ -58,7 +58,7 @@ class LinkagePivots : public testing::Test {
     return {along(0), along(1)};
   }
 
-  // Frames of the joints of an end, then of the end, in the base.
+  // Returns the frames of the joints of an end, then the frame of the end, all in the base.
   std::vector<Eigen::Isometry3d> frames(std::size_t e, const std::vector<double>& q) const {
     const model::LoopEnd& end = tree.loops[0].ends[e];
     std::vector<Eigen::Isometry3d> result;
@@ -124,7 +124,7 @@ TEST_F(LinkagePivots, AreWhereTheFramesAre) {
   }
 }
 
-// A chain turns by its joints that do not follow, and reaches from one that follows to the next.
+// A chain turns by its joints that do not follow, and reaches from one following joint to the next.
 TEST(PlanarChain, TurnsAndReachesByGivenJoints) {
   test::Numbers numbers;
   const auto vector = [&](double x, double y) { return Vector2{numbers.expression(x), numbers.expression(y)}; };
@@ -147,7 +147,7 @@ TEST(PlanarChain, TurnsAndReachesByGivenJoints) {
   expect_near(chain.turn(2, 4), 0.0, -1.0);
   EXPECT_TRUE(chain.turn(1, 2).x.is_one());
   expect_near(chain.reach(-1, 1), 1.0, 2.0);
-  // Behind joint 1: half a metre, then a quarter turn back with a quarter of a metre, the slide, and three metres.
+  // After joint 1: half a metre, a quarter turn back with a quarter of a metre, the slide, and three metres.
   expect_near(chain.reach(1, 4), 0.5 + 0.125, -3.25);
 }
 

@@ -1,4 +1,4 @@
-// Positions that close loops in a plane, for all orders of joints that turn, slide and follow.
+// Positions that close planar loops, for all orders of joints that turn, slide and follow.
 #include "algorithm/spatial/planar_positions.h"
 
 #include <cctype>
@@ -14,7 +14,7 @@ namespace {
 
 using Point = std::complex<double>;
 
-// A chain as numbers. Joints turn (r) or slide (p); capitals follow.
+// A chain in numbers. Joints turn (r) or slide (p); capital letters mark joints that follow.
 struct Link {
   char type = 'r';
   int sense = 0;
@@ -22,7 +22,7 @@ struct Link {
   Point direction;
 };
 
-// The point behind the last joint: the steps are added up, each turned by all joints before it.
+// The point after the last joint: the sum of the steps, each turned by all joints before it.
 Point end_of(const std::vector<Link>& chain, const Point& last_step, const std::vector<double>& q) {
   Point point, turn = 1.0;
   for (std::size_t k = 0; k < chain.size(); ++k) {
@@ -66,8 +66,7 @@ class ClosedPositions : public testing::TestWithParam<std::array<const char*, 2>
   }
 };
 
-// The positions by which a loop was made are found again, on one of both branches; on the other one the loop closes,
-// too.
+// One of the two branches gives the positions from which the loop was made; the other branch closes the loop, too.
 TEST_P(ClosedPositions, CloseTheLoop) {
   for (int sample = 0; sample < 50; ++sample) {
     const std::array<std::vector<Link>, 2> chains = {chain(GetParam()[0]), chain(GetParam()[1])};
@@ -95,7 +94,7 @@ TEST_P(ClosedPositions, CloseTheLoop) {
         for (std::size_t k = 0; k < chains[e].size(); ++k, ++joint) {
           positions[e].push_back(numbers.value(closed[joint]));
           const double apart = positions[e][k] - drawn[e][k];
-          // Roots of small numbers lose half of the digits.
+          // Square roots of small numbers lose half of the digits.
           is_drawn &= std::abs(chains[e][k].sense == 0 ? apart : std::remainder(apart, 2 * std::numbers::pi)) < 1e-6;
         }
       found += is_drawn ? 1 : 0;
@@ -123,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::array{"rP", "Rr"},
         std::array{"R", "rpPr"}));
 
-// A triangle with sides of 1 and 1 cannot span 3.
+// Two sides of length 1 cannot span 3.
 TEST(OpenLoop, HasNoPositions) {
   test::Numbers numbers;
   const auto along_x = [&](double x) { return Vector2{numbers.expression(x), Expression()}; };

@@ -1,4 +1,4 @@
-// Poses of products of primitive transforms: that they are right, and that they are cheap.
+// Poses of products of primitive transforms are right and cheap.
 #include "algorithm/kinematics/joint_poses.h"
 
 #include <Eigen/Geometry>
@@ -47,7 +47,7 @@ class PoseOf : public testing::Test {
 
   Graph& graph() const { return trace.graph; }
 
-  // Only the names of the joints matter: they are the variables.
+  // Only the names of the joints matter, because they are the variables.
   static model::KinematicTree three_joints() {
     model::KinematicTree tree;
     for (const char* name : {"A", "B", "C"}) tree.joints.push_back({name, {}, -1, -1, {}, {}});
@@ -83,7 +83,7 @@ TEST_F(PoseOf, IsTheProductOfThePrimitives) {
     for (std::size_t k = pick(9); k > 0; --k)
       primitives.push_back({pick(2) == 0, static_cast<Axis>(pick(3)), angles[pick(angles.size())]});
     const Eigen::Isometry3d expected = product(primitives), actual = matrix_of(pose(primitives));
-    // Ten rotations, translations of some metres.
+    // Ten rotations, and translations of a few metres.
     ASSERT_TRUE(actual.isApprox(expected, 1e-13)) << "seed " << seed << "\n"
                                                   << actual.matrix() << "\n\n"
                                                   << expected.matrix();
@@ -98,7 +98,7 @@ TEST_F(PoseOf, NothingIsTheIdentity) {
 }
 
 TEST_F(PoseOf, QuarterTurnsGoLeft) {
-  // Ry(A) Rx(90): the axis y becomes, seen from behind the turn, -z.
+  // Ry(A) Rx(90): in the turned axes, the y axis becomes -z.
   const Pose p = pose({turn(Axis::y, A), turn(Axis::x, pi(1, 2))});
   const QuarterTurns x = quarter_turn(0, 1);
   EXPECT_EQ(p.rotation.quarter.image, x.image);
@@ -129,7 +129,7 @@ TEST_F(PoseOf, AConstantTurnAboutTheJointsAxisAddsToItsAngle) {
 }
 
 TEST_F(PoseOf, AConstantTurnMergesThroughAQuarterTurn) {
-  // Ry(0.3) Rx(90) Rz(A): behind the turn, y is -z.
+  // Ry(0.3) Rx(90) Rz(A): in the turned axes, y is -z.
   const Pose p = pose({turn(Axis::y, Quantity(0.3)), turn(Axis::x, pi(1, 2)), turn(Axis::z, A)});
   ASSERT_EQ(p.rotation.planes.size(), 1u);
   EXPECT_EQ(p.rotation.planes[0].axis, 2);
@@ -144,7 +144,7 @@ TEST_F(PoseOf, OppositeTurnsVanish) {
   EXPECT_EQ(p.rotation.planes[0].axis, 2);
 }
 
-// Multiples of PI far beyond a turn, up to the exact range of a Number.
+// Multiples of PI far beyond a full turn, up to the exact range of a Number.
 TEST_F(PoseOf, ManyTurns) {
   for (const std::int64_t halves : {std::int64_t{1000000000000000001}, INT64_MAX, -INT64_MAX}) {
     const Pose p = pose({turn(Axis::z, pi(halves, 2))});

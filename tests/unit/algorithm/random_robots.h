@@ -8,8 +8,8 @@
 
 namespace robcogen::algorithm::test {
 
-// Joints of both types, at right angles, parallel or in skew places; a chain, or a tree whose links stand on any link
-// before them.
+// Revolute and prismatic joints at right angles, parallel or in skew places, in a chain or in a tree in which each link
+// is attached to any earlier link.
 inline model::KinematicTree random_robot(Numbers& n, int joints, bool is_chain) {
   const auto angle = [&]() -> model::Quantity {
     const int kind = n.pick(4);
@@ -38,7 +38,8 @@ inline model::KinematicTree random_robot(Numbers& n, int joints, bool is_chain) 
   return built(d);
 }
 
-// A body with two legs of hip and knee. The shanks' centres of mass are at (0.25, y, 0): y of each leg.
+// A body with two legs, each with a hip and a knee. The shanks' centres of mass are at (0.25, y, 0), with y of each
+// leg.
 inline model::KinematicTree two_legs(double left_y, double right_y) {
   model::Description d;
   d.name = "two_legs";

@@ -1,4 +1,4 @@
-// The frame that a path has reached, against products of poses by Eigen.
+// The frame that a path has reached, compared with Eigen's products of poses.
 #include "algorithm/kinematics/reached.h"
 
 #include "bodies.h"
@@ -12,7 +12,7 @@ using test::RandomPose;
 
 constexpr double kProducts = 20 * kTolerance;  // of up to four poses
 
-// A walk over a few poses, and the pose that it leads to.
+// A walk over a few poses, and the pose to which it leads.
 class Walks : public testing::TestWithParam<int> {
  protected:
   Numbers n{static_cast<unsigned>(GetParam())};
@@ -38,14 +38,14 @@ TEST_P(Walks, EndWhereThePosesLead) {
   EXPECT_TRUE(n.value(here.position).isApprox(end.translation(), kProducts));
 }
 
-// Wherever the moment is begun, it is [p]x R in the end.
+// Wherever the moment begins, its final value is [p]x R.
 TEST_P(Walks, CarryTheMoment) {
   const Eigen::Matrix3d expected = test::cross_matrix(end.translation()) * end.linear();
   for (int from = 0; from < static_cast<int>(poses.size()); ++from)
     EXPECT_TRUE(n.value(walk(from).moment).isApprox(expected, kProducts)) << from;
 }
 
-// The factors of the rotation are kept: before.front() * planes[0] * planes[1] …
+// The rotation's factors are kept: before.front() * planes[0] * planes[1] …
 TEST_P(Walks, RememberHowTheRotationCameAbout) {
   const Reached here = walk();
   ASSERT_EQ(here.before.size(), here.planes.size());
@@ -79,7 +79,7 @@ TEST(Reached, ATurnThereAndBackCostsNothing) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(here.rotation[k][c] == before[k][c]) << k << c;
 }
 
-// The matrix of three Euler angles has at most 12 products, about whichever axes they are.
+// The matrix of three Euler angles takes at most 12 products, for any sequence of axes.
 TEST(Reached, EulerAnglesCostTwelveProducts) {
   for (int first = 0; first < 3; ++first)
     for (int second = 0; second < 3; ++second)
@@ -112,7 +112,7 @@ TEST(Reached, MotionsChangeAxes) {
   }
 }
 
-// A program of this many products.
+// A program with `count` products.
 symbolic::Program products(int count) {
   Numbers n;
   Expression value = n.expression(1);

@@ -1,4 +1,4 @@
-// Congruent limbs that differ in zeros: numbers that fold in the same way, and keep their values.
+// Congruent limbs that differ in zeros get numbers that fold in the same way and keep their values.
 #include "algorithm/formulation/representative_limbs.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 using model::KinematicTree;
 
-// The poses and masses of the model, and what represents them.
+// The poses and mass properties of the model, and the numbers that represent them.
 struct Representatives {
   explicit Representatives(KinematicTree robot) : tree(std::move(robot)) {
     q = trace.joint_input("q", symbolic::Role::joint_position);
@@ -39,7 +39,7 @@ struct Representatives {
       fold_like(trace, links[j], masses[static_cast<std::size_t>(tree.joints[j].child)]);
     }
   }
-  // Of the shank's mass properties about the origin of the thigh.
+  // Computes the shank's mass properties about the thigh's origin.
   symbolic::Program shank_in_thigh(const char* knee) const {
     const MassProperties m = to_parent(poses[joint(knee)], mass(knee));
     std::vector<Expression> values = flat(m.pseudo_inertia);
@@ -49,14 +49,14 @@ struct Representatives {
 };
 
 constexpr std::size_t kMomentY = 2;  // of RepresentativeLink::mass
-constexpr double kRightY = -0.1875;  // no other number of the robot, or sums would be shared
+constexpr double kRightY = -0.1875;  // differs from all other numbers of the robot; otherwise sums would be shared
 
 TEST(RepresentativeLimbs, EqualLimbsNeedNone) {
   EXPECT_TRUE(Representatives(two_legs(0, 0)).links.empty());
   EXPECT_TRUE(Representatives(two_legs(0.1, -0.1)).links.empty());
 }
 
-// Other numbers, but no zero that the other limb does not have.
+// The numbers differ, but a zero of one limb is a zero of the other.
 TEST(RepresentativeLimbs, LimbsThatFoldInTheSameWayNeedNone) {
   EXPECT_TRUE(Representatives(two_legs(0.1, -0.25)).links.empty());
 }
@@ -65,7 +65,7 @@ TEST(RepresentativeLimbs, RobotsWithoutCongruentLimbsNeedNone) {
   EXPECT_TRUE(Representatives(two_rods()).links.empty());
 }
 
-// One magnitude for the limbs, between theirs; what they have in common stays.
+// One magnitude, between those of the limbs, represents both; numbers that they share stay.
 TEST(RepresentativeLimbs, AMagnitudeStandsForTheZero) {
   const Representatives r(two_legs(0, kRightY));
   ASSERT_EQ(r.links.size(), 4U);
@@ -97,7 +97,7 @@ TEST(RepresentativeLimbs, NumbersFoldLikeThemAndKeepTheirValues) {
   expect_near(run(right_like, {{"in", q}}), run(right, {{"in", q}}));
 }
 
-// Two legs, of which the right knee is turned by 90 degrees more than the left one, and by a rounding.
+// Two legs; the right knee is turned by 90 degrees more than the left one, plus a rounding error.
 KinematicTree legs_with_a_rounding() {
   KinematicTree tree = two_legs(0.1, -0.1);
   const auto rotation = [&](const char* joint) -> auto& {
@@ -109,7 +109,7 @@ KinematicTree legs_with_a_rounding() {
   return tree;
 }
 
-// A plane that only one limb has stands in the others, too: it folds like that one, and turns by nothing.
+// A plane that only one limb has is added to the others: it folds like that one, but its angle is zero.
 TEST(RepresentativeLimbs, APlaneOfOneLimbStandsInAll) {
   Representatives r(legs_with_a_rounding());
   const auto rotation = [&](const char* joint) -> const Rotation& { return r.poses[r.joint(joint)].rotation; };

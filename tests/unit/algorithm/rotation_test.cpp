@@ -1,4 +1,4 @@
-// Rotations and their conjugations against Eigen's dense matrices.
+// Rotations and their conjugations, compared with Eigen's dense matrices.
 #include "algorithm/spatial/rotation.h"
 
 #include <set>
@@ -25,7 +25,7 @@ TEST(QuarterTurn, IsTheRotationByItsAngle) {
           << axis << " " << turns;
 }
 
-// All 24 rotations of a cube, reached by products of two turns about each of two axes.
+// All 24 rotations of a cube are products of quarter turns about x, y and z.
 TEST(QuarterTurn, ProductsAndInverses) {
   std::set<std::array<int, 6>> reached;
   for (int x = 0; x < 4; ++x)
@@ -41,7 +41,7 @@ TEST(QuarterTurn, ProductsAndInverses) {
   EXPECT_EQ(reached.size(), 24u);
 }
 
-// Rotations of 0 to 4 planes after any quarter turns.
+// Random rotations: quarter turns, followed by 0 to 4 planes.
 class Rotations : public testing::TestWithParam<int> {
  protected:
   Numbers n{static_cast<unsigned>(GetParam())};
@@ -82,7 +82,7 @@ TEST_P(Rotations, OfMatrices) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(turned[r][c], turned[c][r]);
 }
 
-// Zeros of the rotated matrix are zeros of the formulas too.
+// Zeros of the matrix remain zeros in the formulas.
 TEST_P(Rotations, OfSparseMatrices) {
   Matrix3 diagonal;
   for (std::size_t i = 0; i < 2; ++i) diagonal[i][i] = n.expression(n.real());
@@ -112,7 +112,7 @@ TEST(Rotation, APlaneCostsFourProductsAndTwoSums) {
   EXPECT_EQ(c.sincos, 1);
 }
 
-// Doubled angles are computed once, whatever they conjugate.
+// Doubled angles are computed once, even if they conjugate several matrices.
 TEST(Rotation, ASecondConjugationSharesTheDoubledAngle) {
   Numbers n;
   const Expression angle = n.expression(0.3);
@@ -120,7 +120,7 @@ TEST(Rotation, ASecondConjugationSharesTheDoubledAngle) {
   const Matrix3 first = symmetric_to_parent(r, n.symmetric()), second = symmetric_to_parent(r, n.symmetric());
   std::vector<Expression> both = flat(first);
   for (const Expression& e : flat(second)) both.push_back(e);
-  // s s, s c, 2 s c, 1 - 2 s s
+  // Both share s s, s c, 2 s c, 1 - 2 s s.
   EXPECT_LT(n.count(both).mul + n.count(both).add, 2 * (n.count(flat(first)).mul + n.count(flat(first)).add) - 2);
 }
 

@@ -1,4 +1,4 @@
-// Spatial inertias as three blocks against 6 x 6 matrices of Eigen.
+// Spatial inertias in three blocks, compared with Eigen's 6 x 6 matrices.
 #include "algorithm/spatial/spatial_inertia.h"
 
 #include <set>
@@ -21,7 +21,7 @@ class SpatialInertias : public testing::TestWithParam<int> {
   Numbers n{static_cast<unsigned>(GetParam())};
 };
 
-// Any symmetric matrix: an articulated body's inertia has three blocks without zeros.
+// Any symmetric matrix, because the three blocks of an articulated body's inertia have no zeros.
 SpatialInertia random_inertia(Numbers& n) {
   return {n.symmetric(), n.matrix(), n.symmetric()};
 }
@@ -45,7 +45,7 @@ TEST_P(SpatialInertias, AddUp) {
   EXPECT_TRUE(value(n, x + y).isApprox(value(n, x) + value(n, y), kTolerance));
 }
 
-// I_P = X* I_C X*', X* the transform of forces (Featherstone 2008, eq. 2.66).
+// I_P = X* I_C X*', where X* transforms forces (Featherstone 2008, eq. 2.66).
 TEST_P(SpatialInertias, MoveToTheParent) {
   const RandomPose random(n);
   const SpatialInertia child = random_inertia(n);
@@ -54,7 +54,7 @@ TEST_P(SpatialInertias, MoveToTheParent) {
   EXPECT_TRUE(value(n, to_parent(random.pose, child)).isApprox(expected, kMoved));
 }
 
-// The inertia moves as the body does.
+// The inertia moves with the body.
 TEST_P(SpatialInertias, OfAMovedBodyAreThoseOfItsMovedPoints) {
   const RandomPose random(n);
   const Cloud body = Cloud::random(n);
@@ -78,7 +78,7 @@ TEST(SpatialInertiaNames, AreThoseOfTheElements) {
   for (const char* expected : {"foot_Axx", "foot_Ayz", "foot_Bxz", "foot_Bzx", "foot_Mxy", "foot_Mzz"})
     EXPECT_TRUE(names.contains(expected)) << expected;
   EXPECT_FALSE(names.contains("foot_Azy"));
-  // Where the name says: B' stands below the diagonal.
+  // The name gives the position in B; below the diagonal is B'.
   const symbolic::Operand& below = p.outputs[0].values[5];  // row 5, column 0
   EXPECT_EQ(p.statements[static_cast<std::size_t>(below.index)].name, "foot_Bxz");
 }

@@ -1,4 +1,4 @@
-// Programs of transforms with no robot: their values, and how few operations they need.
+// Programs of transforms without a robot: their values and their small operation counts.
 #include "algorithm/catalogue/transform_functions.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using model::CoordinateTransforms;
 using model::PrimitiveTransform;
 using model::Quantity;
 
-// Products of a dozen rotations and shifts by a few metres.
+// Products of a dozen rotations, and shifts of a few metres.
 constexpr double kTolerance = 1e-13;
 
 constexpr Axis kX = Axis::x, kY = Axis::y, kZ = Axis::z;
@@ -38,7 +38,7 @@ Quantity quarters(int count) {
   return Quantity(Number::pi_multiple(count, 2));
 }
 
-// One transform A_X_B of four variables.
+// A document with one transform A_X_B of four variables.
 CoordinateTransforms document(std::vector<PrimitiveTransform> primitives) {
   CoordinateTransforms result;
   result.variables = {"a", "b", "c", "d"};
@@ -112,7 +112,7 @@ class RandomChains : public testing::TestWithParam<unsigned> {
     return {real(random_), real(random_), real(random_), real(random_)};
   }
 
-  // Few names in many places, so that angles add up, cancel, and meet again behind translations.
+  // Few names in many places, so that angles add up, cancel, or meet again behind translations.
   PrimitiveTransform primitive() {
     const bool rotation = pick(5) < 3;
     const int name = pick(3);
@@ -155,8 +155,8 @@ std::vector<std::array<Axis, 3>> euler_sequences() {
   return result;
 }
 
-// The four products of the outer sines and cosines, each of them times one of the middle, and the four elements beside
-// the middle axis: 12. Four elements are sums of two terms.
+// The four products of the outer sines and cosines, each of these times a function of the middle angle, and the four
+// elements next to the middle axis: 12 products. Four elements are sums of two terms.
 TEST(TransformPrograms, EulerAnglesTakeTwelveProductsAndFourSums) {
   const auto sequences = euler_sequences();
   ASSERT_EQ(sequences.size(), 12u);
@@ -179,7 +179,7 @@ TEST(TransformPrograms, QuarterTurnsAreFree) {
   for (const auto& [i, j, k] : euler_sequences()) {
     EXPECT_EQ(cost({turn(i, quarters(1)), turn(j, quarters(3)), turn(k, quarters(2))}).instructions, 0);
     EXPECT_EQ(cost({turn(i, variable(0)), turn(j, quarters(2)), turn(k, quarters(1))}).instructions, 0);
-    // The outer axes are then one, or at right angles.
+    // The outer axes then coincide or are at right angles.
     EXPECT_LE(cost({turn(i, variable(0)), turn(j, quarters(1)), turn(k, variable(1))}).instructions, 4);
   }
 }
@@ -190,7 +190,7 @@ TEST(TransformPrograms, TurnsAboutOneAxisAreOne) {
   EXPECT_EQ(sum.mul, 0);
   EXPECT_EQ(sum.add, 2);
   EXPECT_EQ(cost({turn(kX, variable(0)), turn(kX, -variable(0))}).instructions, 0);
-  // Lengths about one axis too, though others along their way come between.
+  // Lengths along one axis add up as well, even if other translations come between them.
   const symbolic::OperationCount lengths =
       cost({shift(kX, variable(0)), shift(kY, variable(1)), shift(kX, -variable(0))});
   EXPECT_EQ(lengths.instructions, 0);
@@ -199,21 +199,21 @@ TEST(TransformPrograms, TurnsAboutOneAxisAreOne) {
 TEST(TransformPrograms, SquaresOfSinesAndCosinesAddUp) {
   const Quantity a = variable(0), half(0.5);
   for (const TransformForm form : kForms) {
-    // There and back, with a shift between: no turn is left, and the shift has been turned.
+    // Turns there and back, with a shift between them: no turn is left, and the shift is rotated.
     const symbolic::OperationCount back = cost({turn(kX, a), shift(kY, half), turn(kX, -a)}, form);
     EXPECT_EQ(back.instructions, 2);
     EXPECT_EQ(back.sincos, 1);
-    // About the opposite axis.
+    // The second turn is about the opposite axis.
     EXPECT_EQ(cost({turn(kZ, a), turn(kX, quarters(2)), turn(kZ, a)}, form).instructions, 0);
     EXPECT_EQ(cost({turn(kZ, a), shift(kX, half)}, form).instructions, 2);
     EXPECT_EQ(cost({shift(kX, half), turn(kZ, a)}, form).sincos, 1);
   }
-  // [p]x R of a shift that stands behind the turn is R [p]x.
+  // For a shift that follows the turn, [p]x R is R [p]x.
   EXPECT_EQ(cost({turn(kZ, a), shift(kX, half)}, TransformForm::spatial_motion).instructions, 2);
 }
 
-// A value that is the same whatever the variables are is a number in the program. (In longer chains, one angle about
-// several axes can make identities that nothing looks for.)
+// A value that does not depend on the variables is a constant in the program. (In longer chains, one angle about
+// several axes can give identities that the generator does not look for.)
 TEST_P(RandomChains, HaveNoHiddenConstants) {
   const CoordinateTransforms chain_document = document(chain(5));
   for (const TransformForm form : kForms) {
@@ -237,7 +237,7 @@ TEST(TransformPrograms, NameTheirArguments) {
   EXPECT_EQ(made.inputs[0].role, symbolic::Role::parameters);
   EXPECT_EQ(made.inputs[0].elements, std::vector<std::string>{"length"});
   EXPECT_EQ(made.inputs[1].role, symbolic::Role::variables);
-  // In the order of the document, without those that the transform does not depend on.
+  // The variables are in the document's order, without those on which the transform does not depend.
   EXPECT_EQ(made.inputs[1].elements, (std::vector<std::string>{"a", "c"}));
 }
 

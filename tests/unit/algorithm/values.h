@@ -1,4 +1,4 @@
-// Symbolic vectors and matrices with numbers behind them, to be compared with Eigen's.
+// Symbolic vectors and matrices with known numeric values, for comparison with Eigen.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace robcogen::algorithm::test {
 
-// Products of a few numbers of order 1: some hundred roundings at most.
+// Products of a few numbers of order 1, with at most about a hundred rounding errors.
 inline constexpr double kTolerance = 1e-13;
 
 inline std::vector<Expression> flat(const Vector3& v) {
@@ -28,7 +28,7 @@ inline std::vector<Expression> flat(const Matrix3& m) {
   return all;
 }
 
-// A program whose output `out` are these expressions, over inputs `in`.
+// A program with inputs `in` whose output `out` consists of these expressions.
 inline symbolic::Program program(const Graph& graph, std::size_t inputs, const std::vector<Expression>& values) {
   return graph.program(
       "test", {{"in", symbolic::Role::value, std::vector<std::string>(inputs, "x")}},

@@ -1,4 +1,4 @@
-// Vectors and matrices, motions and forces, against Eigen.
+// Vectors and matrices, motions and forces, compared with Eigen.
 #include "algorithm/spatial/motion_force.h"
 
 #include "values.h"

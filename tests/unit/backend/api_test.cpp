@@ -9,7 +9,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A function `name` with these inputs, `q qd gravity`, and one output of joint forces or two with `base`.
+// A function `name` with these inputs and outputs.
 Function dynamics(const std::string& name, const std::string& kernel, const Names& inputs, const Names& outputs) {
   const std::map<std::string, std::string> roles = {
       {"parameters", "parameters"},
@@ -29,7 +29,7 @@ Function dynamics(const std::string& name, const std::string& kernel, const Name
   return test::function(name, kernel, test::program(text));
 }
 
-// `result name(types) [gravity added]`, one string an overload.
+// `result kernel(type name, …) + standard gravity`, one string for each overload.
 Names signatures(const Library& library, const std::string& group) {
   Names result;
   const Api names = api(library);
@@ -86,7 +86,7 @@ TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
       "InertiaMatrix");
 }
 
-// Of all overloads of a function, and of no other.
+// One structure serves all overloads of a function, and no other function.
 TEST(Api, ResultsOfSeveralArraysHaveAStructureNamedAfterTheFunction) {
   Library library = test::leg_library();
   library.functions = {
@@ -100,7 +100,7 @@ TEST(Api, ResultsOfSeveralArraysHaveAStructureNamedAfterTheFunction) {
   EXPECT_EQ(callables_with_structures(names).front()->kernel, "two");
 }
 
-// A factor is kept in an object; functions that read it are members, not free functions.
+// A factor is kept in an object; functions that read it are members of its type, not free functions.
 TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   Library library = test::leg_library();
   const auto add = [&](const std::string& name, const std::string& text) {

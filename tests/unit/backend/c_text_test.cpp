@@ -1,4 +1,4 @@
-// Comments, strings, lists and first lines as C and C++ spell them.
+// Comments, strings, lists and first lines in the spelling of C and C++.
 #include "backend/common/c_text.h"
 
 #include <gtest/gtest.h>

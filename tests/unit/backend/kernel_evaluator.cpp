@@ -39,7 +39,7 @@ void KernelEvaluator::run(const std::string& line) {
     expect_equals();
     define(name, sum());
   } else {
-    // The last `=` divides the targets from the value.
+    // The last `=` separates the targets from the value.
     const std::size_t end = text_.rfind(" =");
     std::vector<std::string> targets;
     while (at_ <= end) {
@@ -63,12 +63,12 @@ void KernelEvaluator::expect(const std::string& token) {
   if (!accept(token)) throw std::logic_error("expected '" + token + "' at " + std::to_string(at_) + " of: " + text_);
 }
 
-// The value stands in the same line or in the next one.
+// The value is in the same line or in the next one.
 void KernelEvaluator::expect_equals() {
   if (!accept(" =\n      ")) expect(" = ");
 }
 
-// A name, with its index if it has one.
+// Reads a name, with its index if it has one.
 std::string KernelEvaluator::word() {
   const std::size_t begin = at_;
   while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) || text_[at_] == '_')) ++at_;

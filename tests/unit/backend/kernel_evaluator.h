@@ -1,5 +1,5 @@
-// Runs the text of a kernel by its own reading of C++: an evaluator of the printed lines that shares nothing with the
-// back end, and counts the operators that stand in them.
+// Runs the text of a kernel with its own reading of C++: it evaluates the printed lines and counts their operators, and
+// shares nothing with the back end.
 #pragma once
 
 #include <map>
@@ -13,21 +13,21 @@ namespace robcogen::test {
 
 class KernelEvaluator {
  public:
-  // Elements of arrays by their text: `q[1]`.
+  // Array elements by their text, such as `q[1]`.
   using Values = std::map<std::string, double>;
 
   explicit KernelEvaluator(Values inputs) : values_(std::move(inputs)) {}
 
-  // One line: a comment, a definition, a pair of sine and cosine, or a store.
+  // Runs one line: a comment, a definition, a pair of sine and cosine, or a store.
   void run(const std::string& line);
 
   const Values& values() const { return values_; }
-  // mul, add, div, sqrt and sincos in the lines; a unary minus is not an operation.
+  // Counts of mul, add, div, sqrt and sincos in the lines; a unary minus is not an operation.
   const symbolic::OperationCount& count() const { return count_; }
 
  private:
   Values values_;
-  std::map<std::string, std::string> angles_;  // `trig[1]`: the element that it is of
+  std::map<std::string, std::string> angles_;  // the element from which `trig[1]` is computed
   symbolic::OperationCount count_;
   std::string text_;
   std::size_t at_ = 0;

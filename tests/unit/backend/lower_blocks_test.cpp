@@ -74,7 +74,7 @@ TEST(LowerBlocks, TwoSumsOfLanesThatFollowEachOtherAreOneLine) {
       "out[0] = first * sum_lanes(s);\n");
 }
 
-// Both stand in one line as far as there is room.
+// Both sums share a line if they fit; otherwise their operands get lines of their own.
 TEST(LowerBlocks, LongSumsOfLanesAreTakenOutOfTheirLine) {
   std::string statements = "tmp a_value_in_lanes_with_a_name = gather q[0] q[3]\n";
   for (const std::string sum : {"one", "two"}) {
@@ -90,7 +90,7 @@ TEST(LowerBlocks, LongSumsOfLanesAreTakenOutOfTheirLine) {
     EXPECT_LE(text.find('\n', begin) - begin, 118u) << text;
 }
 
-// Names alone can be too much for one line.
+// Even the names alone can be too long for one line.
 TEST(LowerBlocks, SumsWithLongNamesHaveALineEach) {
   EXPECT_EQ(
       lowered(
@@ -142,7 +142,7 @@ TEST(LowerBlocks, SinesOfABlockOfTwoLanesAreComputedTogether) {
       "out[1] = x[1];\n");
 }
 
-// A limb whose sine the others have no use for: all lanes are computed at once, and it takes its own.
+// One limb needs a sine that the others do not: all lanes are computed at once, and the limb reads its own.
 TEST(LowerBlocks, ASingleLaneHasItsSineFromThoseOfAllLanes) {
   const std::string text = lowered(
       "tmp u = gather q[0] q[3]\n"
@@ -159,7 +159,7 @@ TEST(LowerBlocks, ASingleLaneHasItsSineFromThoseOfAllLanes) {
   EXPECT_EQ(text.find("sincos(x["), std::string::npos) << text;
 }
 
-// Angles that two limbs compute separately are two angles.
+// Angles that two limbs compute separately are two scalar angles.
 TEST(LowerBlocks, SinesOfSingleLanesAreScalars) {
   const std::string text = lowered(
       "tmp u = gather q[0] q[3]\n"

@@ -1,4 +1,4 @@
-// Random programs: the text of the kernel has the results of the program, to the last bit.
+// Random programs: the kernel's text gives the program's results to the last bit.
 #include <cmath>
 
 #include "backend/cpp/lower.h"
@@ -16,7 +16,7 @@ using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 
-// Statements that outputs need: the counts of the program without the others.
+// Returns the program with only the statements that its outputs need; their counts are those of the text.
 Program without_dead_statements(Program p) {
   std::vector<bool> needed(p.statements.size(), false);
   const auto need = [&](const Operand& o) {
@@ -92,7 +92,7 @@ TEST(LowerProperty, TheTextComputesWhatTheProgramComputes) {
   }
 }
 
-// A chain of sums in which every statement could stand inside the next.
+// A chain of sums in which each statement could be inlined into the next.
 Program chain(int length) {
   Program p = test::leg_program("return tau q[0]\n");
   for (int i = 0; i < length; ++i) {
@@ -106,11 +106,11 @@ Program chain(int length) {
   return p;
 }
 
-// As many lines for each statement, however many there are. Work that grew with the square would not end.
+// The number of lines for each statement hardly depends on the length; quadratic work would not end.
 TEST(LowerProperty, LongChainsAreLoweredLikeShortOnes) {
   const std::size_t few = lower(chain(3000), "chain").lines.size(), many = lower(chain(300000), "chain").lines.size();
   EXPECT_GT(few, 10u);
-  // Names of many digits leave less room on a line.
+  // Names with more digits leave less room on a line.
   EXPECT_GT(many, 100 * few);
   EXPECT_LT(many, 200 * few);
 }

@@ -252,7 +252,7 @@ TEST(Lower, NamesThatTheTextNeedsItselfAreNotTaken) {
       "tau[0] = major_ + sincos_2;\n");
 }
 
-// Lines behind the first have their indentation.
+// Continuation lines include their indentation.
 bool fits_in_columns(const std::string& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   return end <= 118 && text.size() - end <= 121;
@@ -298,7 +298,7 @@ TEST(Lower, LongNamesAreShortened) {
   EXPECT_NE(kernel.lines[1].targets[0], kernel.lines[2].targets[0]);
 }
 
-// Lanes are kept in fewer registers than there are scalars: their kernels are cut from fewer lines on.
+// There are fewer registers for lanes than for scalars, so kernels with lanes are split at a smaller length.
 TEST(Lower, LongKernelsAreCutWithLanesSooner) {
   Kernel kernel;
   kernel.name = "leg";

@@ -29,7 +29,7 @@ TEST(Names, TypesAndVariablesOfSystemHeadersGetAnUnderscore) {
     EXPECT_EQ(identifier(name), name + "_");
 }
 
-// They stay names of functions, members and enumerators.
+// They can still name functions, members and enumerators.
 TEST(Names, FunctionsOfSystemHeadersAreNotNamesOfNamespaces) {
   for (const std::string name : {"sincos", "exp", "index", "y0", "stat", "div", "tm"}) {
     EXPECT_FALSE(is_reserved(name)) << name;

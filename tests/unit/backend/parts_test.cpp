@@ -1,4 +1,4 @@
-// Long kernels in parts: each reads its arguments, and together they have the results of the whole.
+// Long kernels are split into parts: each reads only its arguments, and together they give the results of the whole.
 #include "backend/common/parts.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,8 @@ TEST(Parts, AreOneWhereAllLinesFit) {
   EXPECT_EQ(texts(parts.kernels[0]), texts(lower(test::leg_program(kTwoLinks), "leg")));
 }
 
-// Three sections, the first with the second or the second with the third: what the first hands to the second is more.
+// Of three sections, the second joins the first or the third; the first hands more values to the second than the second
+// to the third.
 TEST(Parts, AreCutWhereFewValuesAreHandedOn) {
   const Program program = test::program(
       "program leg\n"
@@ -186,8 +187,7 @@ TEST(Parts, LoadBlocksWhereTheyAreReadAndStoreThem) {
   EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "out", "kept_2"}));
 }
 
-// The words of the texts are the judge: a name among them of a value, a parameter or a function is listed, and no
-// other.
+// Returns the words of a text.
 std::set<std::string> words(const std::string& text) {
   std::set<std::string> result;
   std::string word;
@@ -201,8 +201,7 @@ std::set<std::string> words(const std::string& text) {
   return result;
 }
 
-// The words of the texts are the judge: a name among them of a value, a parameter or a function is listed, and no
-// other.
+// The texts decide: a line lists exactly those values, parameters and functions whose names are words of its text.
 TEST(PartsProperty, FollowTheNamesThatTheTextOfALineRefersTo) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -230,7 +229,7 @@ TEST(PartsProperty, ComputeWhatTheProgramComputes) {
     test::RandomProgram source(seed);
     const Program program = source.make();
     symbolic::Arrays<double> inputs;
-    test::KernelEvaluator::Values known;  // by all parts so far
+    test::KernelEvaluator::Values known;  // computed by the parts so far
     for (const symbolic::InputArray& array : program.inputs) {
       for (std::size_t k = 0; k < array.elements.size(); ++k) {
         inputs[array.name].push_back(source.value());
@@ -239,7 +238,7 @@ TEST(PartsProperty, ComputeWhatTheProgramComputes) {
     }
     const Parts parts = parts_of(program, 1 + seed % 12);
     for (const Kernel& part : parts.kernels) {
-      // Elements that the part stores are not given: each is free before.
+      // Elements that the part stores are not given, so each is undefined before.
       test::KernelEvaluator::Values given;
       for (const Parameter& p : part.parameters)
         for (const auto& [element, value] : known)

@@ -60,7 +60,7 @@ TEST(Outputs, AreWhatPrintMakes) {
   }
 }
 
-// What does not gain is compiled once. Kernels stay as they are.
+// Functions that gain nothing are compiled once; kernels stay unchanged.
 TEST(Print, LevelsChangeOnlyWhatGains) {
   Library library = test::leg_library();
   library.groups = kGroups;
@@ -89,7 +89,7 @@ TEST(Print, EveryFileNamesItselfAndItsModelAndOneTheModelsHash) {
   }
 }
 
-// Transmission of a leg, in both overloads.
+// Inverse dynamics of a leg, in two overloads.
 Library library_with_kernels() {
   Library library = test::leg_library();
   library.groups = {"inverse_dynamics"};
@@ -194,7 +194,7 @@ template decltype(inverse_dynamics_gravity<float>) inverse_dynamics_gravity<floa
   EXPECT_EQ(file(library_with_kernels(), "leg/inverse_dynamics.cpp"), expected);
 }
 
-// The text for the user: each function once, without its kernel.
+// The text for the user has each function once, without its kernel.
 TEST(Print, Interface) {
   const std::string part = R"(
 namespace leg {
@@ -226,7 +226,7 @@ namespace here = ::leg::f32;
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-// A line that overloads have in common stands above the first one.
+// A comment line that the overloads share is printed above the first one only.
 TEST(Print, OverloadsSayOnceWhatTheyHaveInCommon) {
   Library library = library_with_kernels();
   library.functions[0].summary = {"Joint forces.", "Standard gravity."};

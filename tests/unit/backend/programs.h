@@ -10,7 +10,7 @@
 
 namespace robcogen::test {
 
-// Reads a program in text form, whose names all say what the values are.
+// Reads a program in text form; all its names count as describing their values.
 inline symbolic::Program program(const std::string& text) {
   std::string error;
   std::optional<symbolic::Program> p = symbolic::parse(text, error);
@@ -20,7 +20,7 @@ inline symbolic::Program program(const std::string& text) {
   return *p;
 }
 
-// A program over q and qd of joints HFE and KFE with one output array `tau`, in sections `hip` and `knee`.
+// A program over q and qd of the joints HFE and KFE with one output array `tau`, in the sections `hip` and `knee`.
 inline symbolic::Program leg_program(const std::string& statements, int outputs = 1) {
   return program(
       "program leg\n"

@@ -10,8 +10,8 @@
 
 namespace robcogen::test {
 
-// Everything that a program may hold: any operation on anything, signs anywhere, names that clash, sections that come
-// back, elements that are inputs, constants, equal or of opposite sign.
+// Programs with everything that may occur: any operation on any operand, signs anywhere, names that clash, sections
+// that recur, and output elements that are inputs, constants, equal or of opposite sign.
 class RandomProgram {
  public:
   explicit RandomProgram(unsigned seed) : random_(seed) {}
@@ -52,7 +52,7 @@ class RandomProgram {
         o.kind = symbolic::Operand::Kind::input;
         o.index = pick(p.input_count());
         return o;
-      default:  // recent statements first, so that expressions grow deep
+      default:  // mostly recent statements, so that expressions grow deep
         o.kind = symbolic::Operand::Kind::statement;
         o.index = std::max(0, count - 1 - pick(pick(3) == 0 ? count : 3));
         return o;

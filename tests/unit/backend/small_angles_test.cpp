@@ -1,4 +1,4 @@
-// Which sines in lanes need not ask whether their angle is large.
+// Sines in lanes that do not need a check for large angles.
 #include "backend/cpp/small_angles.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace robcogen::backend::cpp {
 namespace {
 
-// Whether it is known of the sines of `x`, in four lanes.
+// True if the angles `x`, in four lanes, are known to be small.
 bool known(const std::string& angle) {
   const symbolic::Program program = test::program(
       "program limbs\n"
@@ -39,7 +39,7 @@ TEST(SmallAngles, AreSumsOfAtMostThree) {
   EXPECT_FALSE(known("tmp t = u + v\ntmp w = t + q[0]\ntmp x = w + q[1]\n"));
 }
 
-// Small positions are below 120 rad in float, whose polynomials hold up to 400 rad.
+// In float, small positions are below 120 rad, and the polynomials are valid up to 400 rad.
 TEST(SmallAngles, AreSmallInFloatToo) {
   EXPECT_TRUE(known("tmp x = u + 270\n"));
   EXPECT_FALSE(known("tmp x = u + 290\n"));
@@ -52,7 +52,7 @@ TEST(SmallAngles, AreNoOtherValues) {
   EXPECT_FALSE(known("tmp t = gather parameters[0] q[0] q[1] q[2]\ntmp x = t * t\n"));
 }
 
-// Of scalars nothing is asked, and sines of two lanes are computed with others.
+// Sines of scalars have no such check, and sines in two lanes are computed together with others.
 TEST(SmallAngles, AreThoseOfLanesThatAreComputedAlone) {
   const auto known_of = [](const std::string& statements) {
     const symbolic::Program program = test::program(

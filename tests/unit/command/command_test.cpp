@@ -1,4 +1,4 @@
-// Exit statuses, written files, and a check that output depends on the input only.
+// Exit statuses, written files, and a check that the output depends only on the input.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -66,7 +66,7 @@ TEST(Command, WrongInputExitsWithOneAndWritesNothing) {
   EXPECT_FALSE(fs::exists(scratch.path / "r.stamp"));
 }
 
-// A robot whose inertia matrix has no inverse: a warning, and an error where a function that needs it is asked for.
+// A robot with a singular inertia matrix gets a warning, or an error if a function that needs the inverse is requested.
 TEST(Command, LeavesOutWhatDividesByASingularInertiaMatrix) {
   const Scratch scratch("singular");
   const fs::path model = fs::path(ROBCOGEN_ROBOTS_DIR).parent_path() / "tests/inertia/stylus.kindsl";
@@ -131,7 +131,7 @@ TEST(Command, WritesWhatItListsAndNothingElse) {
   }
 }
 
-// The decimal comma of a locale, the folder and the hour must not show.
+// A locale with a decimal comma, the folder and the time must not affect the output.
 TEST(Command, SameInputSameBytes) {
   const Scratch scratch("same");
   const fs::path elsewhere = scratch.path / "else where";
@@ -191,7 +191,7 @@ TEST(Command, ChecksOurRobotsWithoutAWord) {
     const Outcome run = run_tool(
         "check --strict " + quoted(robot(name)) + " " + quoted(fs::path(robot(name)).replace_extension(".dtdsl")));
     EXPECT_EQ(run.status, 0) << name;
-    const bool has_parameters = name == "hyl_parametric";  // which are listed
+    const bool has_parameters = name == "hyl_parametric";  // parameters are listed
     EXPECT_EQ(run.errors.find("[parameters]") != std::string::npos, has_parameters) << name << "\n" << run.errors;
     EXPECT_EQ(run.errors.find("warning"), std::string::npos) << name << "\n" << run.errors;
   }
@@ -235,7 +235,7 @@ TEST(Command, RobotsWithParametersAreEvaluatedAndGenerated) {
   const Outcome eval =
       run_tool("eval " + quoted(model) + " gravity_forces", R"({"q": [0], "parameters": {"m": 2, "len": 3}})");
   EXPECT_EQ(eval.status, 0) << eval.errors;
-  // The rod lies along x and turns about -y of the base: m g len / 2.
+  // The rod lies along x and turns about -y of the base, so the moment is m g len / 2.
   EXPECT_EQ(eval.output, "{\"tau\": [29.43]}\n");
   EXPECT_EQ(run_tool("eval " + quoted(model) + " gravity_forces", "{}").status, 1);
 }

@@ -1,4 +1,4 @@
-// Scripts that complete command lines, read by the shells themselves.
+// Command-line completion scripts, run by the shells themselves.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"
@@ -6,7 +6,7 @@
 namespace robcogen::test {
 namespace {
 
-// What bash offers for a command line, a word a line.
+// Returns what bash offers for a command line, one word per line.
 std::string completed(const std::string& words, int current) {
   const Outcome script = run_tool("completions bash");
   EXPECT_EQ(script.status, 0);
@@ -25,7 +25,7 @@ TEST(Completions, OfSubcommandsOptionsAndValues) {
   EXPECT_EQ(completed("robcogen generate --language ma", 3), "matlab\nmaxima\n");
   EXPECT_EQ(completed("robcogen generate --algorithms inverse_dynamics_g", 3), "inverse_dynamics_gradient\n");
   EXPECT_EQ(completed("robcogen convert --position ''", 3), "left\nright\n");
-  EXPECT_EQ(completed("robcogen completions z", 2), "\n");  // a file name, as far as the script knows
+  EXPECT_EQ(completed("robcogen completions z", 2), "\n");  // may be a file name, as far as the script knows
   EXPECT_EQ(completed("robcogen generate arm", 2), "\n");
   EXPECT_NE(completed("robcogen ''", 1).find("eval\n"), std::string::npos);
 }

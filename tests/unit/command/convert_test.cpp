@@ -1,4 +1,4 @@
-// convert: pairs of languages, written files, refused requests.
+// The subcommand convert: pairs of languages, written files, refused requests.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"
@@ -23,7 +23,7 @@ TEST(Convert, MakesAUrdfAndBackOfARobotDocument) {
   EXPECT_EQ(read_text(back).find("// Converted from hyl.urdf."), 0U) << read_text(back);
   ASSERT_EQ(run_tool("check --strict " + quoted(back)).status, 0);
   ASSERT_EQ(run_tool("convert " + quoted(urdf) + " " + quoted(again)).status, 0);
-  // Moving inertias to the link's origin and back rounds; poses come through unchanged.
+  // Moving inertias to the link's origin and back causes rounding; poses stay unchanged.
   const auto joints = [](const fs::path& file) {
     const std::string text = read_text(file);
     return text.substr(text.find("<joint"));
@@ -35,7 +35,7 @@ TEST(Convert, MakesMotionsOfARobotAndTransformsOfBoth) {
   const Scratch scratch("motions");
   const fs::path motions = scratch.path / "hyl.motdsl", transforms = scratch.path / "hyl.ctdsl";
   ASSERT_EQ(run_tool("convert " + quoted(robot("hyl")) + " " + quoted(motions)).status, 0);
-  // The paper's Fig. 9, with full names.
+  // Fig. 9 of the paper, with full names.
   EXPECT_NE(
       read_text(motions).find("fr_slider -> fr_HFE : try(0.13) trz(-0.08) rotx(-PI/2.0) rotz(PI/2.0)\n"
                               "fr_HFE -> fr_upperleg : rotz(q_HFE)\n"),
@@ -59,7 +59,7 @@ TEST(Convert, MakesMotionsOfARobotAndTransformsOfBoth) {
   EXPECT_NE(read_text(transforms).find("{fr_HFE}_X_{fr_upperleg} = Rz(-q_HFE)\n"), std::string::npos);
 }
 
-// A document is read once. Names that would collide in generated code are not a fault of a document of motions.
+// A document is read only once. Names that would collide in generated code are allowed in a document of motions.
 TEST(Convert, SaysOnceWhatIsOddAboutMotions) {
   const Scratch scratch("odd_motions");
   const fs::path motions = scratch.path / "arm.motdsl", transforms = scratch.path / "arm.ctdsl";
@@ -82,7 +82,7 @@ TEST(Convert, RefusesWhatALanguageCannotSay) {
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.errors.find("reach"), std::string::npos) << run.errors;
   EXPECT_FALSE(fs::exists(urdf));
-  // Motions have parameters.
+  // Documents of motions may have parameters.
   const fs::path motions = scratch.path / "arm.motdsl";
   EXPECT_EQ(run_tool("convert " + quoted(model) + " " + quoted(motions)).status, 0);
   EXPECT_NE(read_text(motions).find("trx(lengths.reach)"), std::string::npos) << read_text(motions);
@@ -107,7 +107,7 @@ TEST(Convert, WritesHingesToUrdf) {
   EXPECT_NE(written.errors.find("[urdf-plus]"), std::string::npos) << written.errors;
   EXPECT_NE(read_text(urdf).find("<loop name=\"tip\""), std::string::npos);
   EXPECT_EQ(run_tool("check " + quoted(urdf)).status, 0);
-  // Rods of a fixed length are not.
+  // Rods of a fixed length are not written.
   const fs::path other = scratch.path / "leg.urdf";
   const Outcome refused = run_tool("convert " + quoted(robot("achilles_leg")) + " " + quoted(other));
   EXPECT_EQ(refused.status, 1);

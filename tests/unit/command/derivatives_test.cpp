@@ -1,4 +1,4 @@
-// `--derivatives` of the subcommands: results against differences, and messages.
+// The option `--derivatives` of the subcommands: results compared with differences, and messages.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -33,14 +33,14 @@ std::vector<double> flat(const json& values) {
   return result;
 }
 
-// The element `name` of `input`, by name or by its place, moved.
+// Returns the state with a step added to the element `name` of `input`, which is given by name or by index.
 json moved(json state, const std::string& input, const json& name, double step) {
   json& element = name.is_string() ? state[input][name.get<std::string>()] : state[input][name.get<std::size_t>()];
   element = element.get<double>() + step;
   return state;
 }
 
-// Column by column, against central differences of the function itself.
+// Compares each column with central differences of the function itself.
 void expect_derivatives(
     const std::filesystem::path& model,
     const std::string& function,
@@ -87,7 +87,7 @@ TEST(Derivatives, ByPositionsAndByParameters) {
   double largest = 0;
   for (const json& row : with_d["d_parameters"])
     for (const json& x : row) largest = std::max(largest, std::abs(x.get<double>()));
-  EXPECT_NEAR(largest, 1.0, 0.3);  // of a lever arm, by a length: a cosine or a sine
+  EXPECT_NEAR(largest, 1.0, 0.3);  // derivative of a lever arm with respect to a length: a cosine or a sine
 }
 
 // The contact frames are those of the desired transforms.
@@ -121,7 +121,7 @@ TEST(Derivatives, OfTransforms) {
       {{"variables", {{"a", 0.1}, {"b", 0.2}, {"c", 0.3}}}});
 }
 
-// Functions of them are listed by ops, printed by print --program, and files follow from the options alone.
+// `ops` lists the derivatives, `print --program` prints them, and the list of files follows from the options alone.
 TEST(Derivatives, OfAllSubcommands) {
   const std::string options = " --derivatives center_of_mass:q potential_energy:q,parameters";
   const Outcome ops = run_tool("ops " + quoted(kLeg) + " --json --effort 0 --algorithms energy" + options, "");
@@ -136,7 +136,7 @@ TEST(Derivatives, OfAllSubcommands) {
     EXPECT_NE(files.output.find(file), std::string::npos) << file;
 }
 
-// The gradient of a single result is by reverse mode: it costs less than a column for each joint.
+// The gradient of a single result is computed in reverse mode, which costs less than a column for each joint.
 TEST(Derivatives, TakeTheCheaperMode) {
   const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
   const Outcome run =
@@ -198,7 +198,7 @@ TEST(Derivatives, ByWhichContactsHold) {
       << run.errors;
 }
 
-// More than a compiler takes: second derivatives of all elements of a humanoid's inertia matrix.
+// Second derivatives of a humanoid's inverse dynamics are too long for a compiler.
 TEST(Derivatives, TooLong) {
   const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
   const Outcome run = run_tool(

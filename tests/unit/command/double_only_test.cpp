@@ -1,4 +1,4 @@
-// --double-only: libraries without single precision.
+// The option --double-only: libraries without single precision.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 using Lines = std::map<std::string, std::string>;
 
-// The first line about single precision in each file that has one, comments apart.
+// The first line that refers to single precision, comments excluded, of each file that has one.
 Lines single_precision(const fs::path& folder) {
   static const std::regex single(R"(\b(float|f32)\b)");
   Lines result;

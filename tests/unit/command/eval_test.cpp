@@ -1,4 +1,4 @@
-// `robcogen eval` against closed forms, and its messages.
+// `robcogen eval` compared with closed forms, and its messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ using nlohmann::json;
 
 constexpr double kRounding = 1e-14;
 
-// A point mass of 2 kg on a massless rod of 0.5 m; the joint's z axis is the base's y axis, the rod along x at q = 0.
+// A point mass of 2 kg on a massless rod of 0.5 m. The joint's z axis is the base's y axis; at q = 0 the rod lies along
+// x.
 const char* const kPendulum = R"(Robot Pendulum {
   RobotBase base { children { rod via hinge } }
   link rod { id = 1
@@ -42,7 +43,7 @@ class Eval : public testing::Test {
 
 TEST_F(Eval, InverseDynamicsOfAPendulum) {
   const double q = 0.3, qdd = 1.5;
-  // Turning by q about +y lowers the tip: gravity pulls the joint along, so holding it takes -m g l cos q.
+  // Turning by q about +y lowers the tip. Gravity pulls the joint in this direction, so holding it takes -m g l cos q.
   const double expected = 2.0 * 0.25 * qdd - 2.0 * 9.81 * 0.5 * std::cos(q);
   EXPECT_NEAR(
       eval("inverse_dynamics", {{"q", {q}}, {"qd", {7.0}}, {"qdd", {qdd}}})["tau"][0], expected, kRounding * 10);
@@ -56,7 +57,7 @@ TEST_F(Eval, GravityAndExternalWrenchesAreOptionalWithAFixedBase) {
 }
 
 TEST_F(Eval, ForwardDynamicsAndExternalWrench) {
-  // 3 N m about the link's z axis on the link, no gravity: like a joint force.
+  // Without gravity, a wrench of 3 N m about the link's z axis acts like a joint force.
   const json result = eval(
       "forward_dynamics",
       {{"q", {0}}, {"qd", {0}}, {"tau", {1.0}}, {"gravity", {0, 0, 0}}, {"external", {{"rod", {0, 0, 3, 0, 0, 0}}}}});
@@ -97,7 +98,7 @@ TEST_F(Eval, ResultsReadBackExactly) {
   EXPECT_EQ(json::parse(json(value).dump()).get<double>(), value);
 }
 
-// The whole message of each fault in the input.
+// The complete message for each error in the input.
 TEST_F(Eval, MessagesOfWrongInput) {
   const std::string list = R"(
 note: arguments of inverse_dynamics:
@@ -194,7 +195,7 @@ TEST_F(Eval, ResultsThatAreNotFinite) {
       "[result-not-finite]\n");
 }
 
-// A line of results for each state, in any layout; states after an error are not evaluated.
+// There is one line of results for each state, in any layout; states after an error are not evaluated.
 TEST_F(Eval, ManyStates) {
   const std::string expected =
       run("gravity_forces", "{\"q\": [0.1]}").output + run("gravity_forces", "{\"q\": [0.2]}").output;
@@ -216,7 +217,7 @@ TEST_F(Eval, ManyStates) {
       "<standard input>:3: error: 'q' must be an array of 1 number, not the number 0.3 [wrong-shape]\n");
 }
 
-// A program that waits for each result before it writes the next state.
+// A program waits for each result before it writes the next state.
 TEST_F(Eval, AnswersEachStateAtOnce) {
   const std::string tool = "'" ROBCOGEN_TOOL "' eval " + quoted(model_) + " gravity_forces";
   const std::string script = "coproc tool { " + tool +
@@ -242,7 +243,7 @@ TEST_F(Eval, QuietLeavesErrorsOnly) {
   EXPECT_NE(run_tool(arguments + " --quiet", "{\"q\": [0]}").errors.find("error: "), std::string::npos);
 }
 
-// Also of functions that have it as an argument in all overloads.
+// This includes functions that take gravity in all overloads.
 TEST_F(Eval, GravityMayBeLeftOutWithAFixedBase) {
   json state = {{"q", {0.1}}, {"qd", {0.2}}, {"qdd", {0.3}}};
   const json without = eval("base_regressor_any_gravity", state);
@@ -250,7 +251,7 @@ TEST_F(Eval, GravityMayBeLeftOutWithAFixedBase) {
   EXPECT_EQ(eval("base_regressor_any_gravity", state), without);
 }
 
-// With a floating base gravity says how the base is oriented.
+// With a floating base, gravity says how the base is oriented.
 TEST(EvalOfFloatingBase, GravityIsRequired) {
   const std::string arguments = "eval " + quoted(robot("quadruped")) + " gravity_forces";
   const json zeros = {{"q", std::vector<double>(12, 0.0)}};
@@ -267,7 +268,7 @@ TEST(EvalOfFloatingBase, GravityIsRequired) {
   EXPECT_EQ(run_tool(arguments, given.dump()).status, 0);
 }
 
-// A state for every argument that the message of an empty one lists.
+// Returns a state with every argument that the message about an empty state lists.
 json state_of(const std::string& message) {
   json state = json::object();
   std::istringstream lines(message);
@@ -288,7 +289,7 @@ json state_of(const std::string& message) {
   return state;
 }
 
-// Whatever `ops` lists can be evaluated, with the arguments that its own message asks for and no fewer.
+// Every function that `ops` lists can be evaluated with exactly the arguments that its own message asks for.
 TEST(EvalOfEveryFunction, ThatOpsLists) {
   const std::filesystem::path euler = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl";
   for (const std::filesystem::path& model : {robot("hyl"), robot("hyl_parametric"), robot("any"), euler}) {
@@ -300,7 +301,7 @@ TEST(EvalOfEveryFunction, ThatOpsLists) {
       const std::string name = f["name"];
       const std::string arguments = "eval --quiet " + quoted(model) + " " + name;
       const Outcome empty = run_tool(arguments, "{}");
-      if (empty.status == 0) continue;  // a constant
+      if (empty.status == 0) continue;  // the function is constant
       const Outcome run = run_tool(arguments, state_of(empty.errors).dump());
       EXPECT_EQ(run.status, 0) << name << "\n" << run.errors;
       EXPECT_TRUE(json::accept(run.output)) << name;
@@ -308,10 +309,11 @@ TEST(EvalOfEveryFunction, ThatOpsLists) {
   }
 }
 
-// Jacobian times velocity, and its derivative, are the velocity and the acceleration: of frames that no list names.
+// The Jacobian times the velocity is the frame's velocity, and its derivative times the velocity is the bias
+// acceleration. No list of desired transforms names these frames.
 TEST_F(Eval, VelocitiesAndAccelerationsAgreeWithJacobians) {
   const json state = {{"q", {0.3}}, {"qd", {0.7}}};
-  // The first column of the only result.
+  // Returns the first column of the only result.
   const auto column = [&](const std::string& function) {
     json arguments = state;
     if (function.find("_J_") != std::string::npos) arguments.erase("qd");
@@ -333,11 +335,10 @@ TEST_F(Eval, VelocitiesAndAccelerationsAgreeWithJacobians) {
   EXPECT_NEAR(Jd[5], 0.5 * std::sin(0.3) * 0.7, kRounding * 10);
 }
 
-// The same rod on a ball, whose frame is turned as that of the hinge.
+// The same rod on a spherical joint, whose frame has the hinge's orientation.
 TEST_F(Eval, QuaternionsOfSphericalJoints) {
   write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
-  // Turned by a about z: as the hinge at that angle; about all axes through the point mass it takes no moment along
-  // them.
+  // Turned by a about z, the joint takes the hinge's moment at this angle about z; its moments about x and y are zero.
   const double a = 0.3;
   json state = {{"q", {std::cos(a / 2), 0, 0, std::sin(a / 2)}}, {"qd", {0, 0, 7}}, {"qdd", {0, 0, 1.5}}};
   const json tau = eval("inverse_dynamics", state)["tau"];
@@ -345,7 +346,7 @@ TEST_F(Eval, QuaternionsOfSphericalJoints) {
   EXPECT_NEAR(tau[0], 0, kRounding * 10);
   EXPECT_NEAR(tau[1], 0, kRounding * 10);
   EXPECT_NEAR(tau[2], 2.0 * 0.25 * 1.5 - 2.0 * 9.81 * 0.5 * std::cos(a), kRounding * 10);
-  // Normalised within 1e-6.
+  // Quaternions are normalised if their norm is within 1e-6 of 1.
   json longer = state;
   for (auto& e : longer["q"]) e = static_cast<double>(e) * (1 + 5e-7);
   EXPECT_NEAR(eval("inverse_dynamics", longer)["tau"][2], tau[2], kRounding * 10);
@@ -355,7 +356,7 @@ TEST_F(Eval, QuaternionsOfSphericalJoints) {
   EXPECT_NE(refused.errors.find("<standard input>:1: error: 'q': elements 0 to 3 (hinge_w"), std::string::npos)
       << refused.errors;
   EXPECT_NE(refused.errors.find("[quaternion-norm]"), std::string::npos);
-  // By turns about the child's axes: three columns.
+  // Derivatives are with respect to turns about the child's axes: three columns.
   EXPECT_EQ(eval("inverse_dynamics_derivatives", state)["d_q"][0].size(), 3);
 }
 

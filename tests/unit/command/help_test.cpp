@@ -1,4 +1,4 @@
-// The help of every subcommand has examples that work, and the manual page has all that the help has.
+// The help of every subcommand has examples that work, and the manual page contains all of the help.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -16,7 +16,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// What `robcogen --help` lists, behind `Subcommands:`.
+// The names that `robcogen --help` lists after `Subcommands:`.
 std::vector<std::string> subcommands() {
   std::vector<std::string> names;
   bool is_list = false;
@@ -28,7 +28,7 @@ std::vector<std::string> subcommands() {
   return names;
 }
 
-// Commands below `Example:` and `Examples:` at the end of a help.
+// The commands after `Example:` or `Examples:` at the end of a help text.
 std::vector<std::string> examples(const std::string& help) {
   std::vector<std::string> found;
   bool is_example = false;
@@ -74,7 +74,7 @@ TEST(Help, ExamplesOfEverySubcommandWork) {
       const std::string log = (scratch.path / "log").string();
       const int status =
           std::system(("bash " + quoted(scratch.path / "example.sh") + " < /dev/null > " + log + " 2>&1").c_str());
-      // A server whose input ends without a farewell says so.
+      // A language server exits with 1 if its input ends without a shutdown.
       const int expected = command.find("language-server") == std::string::npos ? 0 : 1;
       EXPECT_EQ(WEXITSTATUS(status), expected) << command << "\n" << read_text(log);
     }

@@ -1,4 +1,4 @@
-// Operation counts do not rise: bounds that the cheap forms of the algorithms reached, mul/add/div (instructions).
+// Operation counts must not rise: bounds that the cheap forms of the algorithms reached, as mul/add/div (instructions).
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -83,8 +83,8 @@ TEST(Operations, FixedHyQ) {
                                     {"forward_dynamics", 314, 222, 8, 370}});
 }
 
-// Moments of this robot's first link are negative, so that H is nearly singular in some states. There sums in the order
-// that fuses most lose more digits than they may: those of forward dynamics stay as they were traced.
+// The moments of this robot's first link are negative, so that H is nearly singular in some states. Sums in the order
+// that fuses most then lose too many digits, so forward dynamics keeps its traced order.
 TEST(Operations, Irb4600) {
   if (!std::filesystem::exists(corpus(kIrb))) GTEST_SKIP() << "no corpus";
   expect_within(
@@ -93,7 +93,7 @@ TEST(Operations, Irb4600) {
                      {"forward_dynamics", 378, 281, 5, 440}});
 }
 
-// HyL of our own, counted on paper once: two sincos, no division but those of the articulated inertias.
+// The HyL of this project, counted by hand: two sincos, and no divisions except those of the articulated inertias.
 TEST(Operations, OurRobots) {
   expect_within(
       robot("hyl"),
@@ -110,7 +110,7 @@ TEST(Operations, OfGroups) {
   EXPECT_EQ(run_tool("ops --algorithms walking -- " + quoted(robot("hyl"))).status, 2);
 }
 
-// A class of such legs within the same bounds: operations on parameters only count with their updates.
+// A class of such legs: operations that depend only on parameters count with the updates.
 TEST(Operations, RobotsWithParameters) {
   expect_within(
       robot("hyl_parametric"), {{"inverse_dynamics", 33, 24, 0, 36},

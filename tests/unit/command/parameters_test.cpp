@@ -1,4 +1,4 @@
-// Messages about a document's parameters, and the growth of run time with their number.
+// Messages about a document's parameters, and the growth of the run time with their number.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"
@@ -77,7 +77,7 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// `len` is a length, and stands in mass properties.
+// `len` is a length that is also used in mass properties.
 TEST(Parameters, OfBothInterfacesArePrintedOnce) {
   const Scratch scratch("shared");
   const fs::path model = scratch.path / "arm.kindsl", out = scratch.path / "o";
@@ -97,7 +97,7 @@ TEST(Parameters, OfBothInterfacesArePrintedOnce) {
   EXPECT_EQ(count(header, "\"len\""), 1) << header;
 }
 
-// Five joints whose every number is a sum of `terms` parameters: 80 parameters a term.
+// Five joints in which each number is a sum of `terms` parameters, 80 parameters for each term.
 std::string arm_of(int terms) {
   int count = 0;
   const auto sum = [&](const std::string& value) {
@@ -123,13 +123,13 @@ std::string arm_of(int terms) {
   return text + "}\n";
 }
 
-// The text that is printed is the work that is done, statement for statement.
+// The amount of printed text measures the work, because each statement is printed.
 TEST(Parameters, CostTimeInProportionToTheirNumber) {
   const Scratch scratch("many");
   const auto bytes_of = [&](int terms) {
     const fs::path model = scratch.path / "arm.kindsl", out = scratch.path / std::to_string(terms);
     write_text(model, arm_of(terms));
-    // Address space, most of it of threads: also 960 parameters need a tenth of it.
+    // Limits the address space, most of which is for threads; even 960 parameters need only a tenth of it.
     const Outcome run = run_tool(
         "generate " + quoted(model) + " -o " + quoted(out) + " --name arm --batch --effort 0", "", "ulimit -v 400000;");
     EXPECT_EQ(run.status, 0) << run.errors;
@@ -140,7 +140,7 @@ TEST(Parameters, CostTimeInProportionToTheirNumber) {
   };
   const double once = bytes_of(1), twice = bytes_of(2), twelvefold = bytes_of(12);
   EXPECT_GT(twice, once);
-  // The cost of a parameter is constant; longer numbers in names and indices make a little more of it.
+  // The cost of a parameter is constant; longer numbers in names and indices increase it slightly.
   EXPECT_LT(twelvefold - once, 11 * 1.25 * (twice - once));
 }
 

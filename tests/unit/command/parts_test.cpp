@@ -1,4 +1,4 @@
-// Robots in other formats as parts of a robot document.
+// Robots in other formats, imported as parts of a robot document.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ constexpr const char* kMjcf = R"(<mujoco model="finger">
 </mujoco>
 )";
 
-// Attached where its base would be, a robot has its own dynamics.
+// A robot that is attached at the origin of the base has the same dynamics as on its own.
 class ImportedRobot : public testing::TestWithParam<std::string> {};
 
 TEST_P(ImportedRobot, AtTheOriginMovesAsByItself) {

@@ -1,4 +1,4 @@
-// --primitives: transforms as products of the user's own matrices.
+// The option --primitives: transforms as products of the user's own matrices.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -15,12 +15,13 @@ std::string product(const Scratch& scratch, const std::string& convention, const
       "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) +
       " --name hyl --language matlab --algorithms transforms --primitives " + convention);
   EXPECT_EQ(run.status, 0) << run.errors;
-  // Without line breaks, which depend on the length of names.
+  // Removes line breaks, which depend on the length of names.
   const std::string text = read_text(scratch.path / "matlab" / "+hyl" / "+transforms" / "+product" / (name + ".m"));
   return std::regex_replace(text, std::regex(R"(( \.\.\.)?\n *%? *)"), " ");
 }
 
-// The HyL of the paper's Fig. 9: a slider, a hip 0.13 m and -0.08 m away, turned by -PI/2 about x and PI/2 about z.
+// The HyL of Fig. 9 of the paper: a slider; the hip is offset by 0.13 m and -0.08 m and turned by -PI/2 about x and
+// PI/2 about z.
 TEST(Primitives, AreInTheOrderOfTheDocumentOfTransforms) {
   const Scratch scratch("primitives");
   const std::string right = product(scratch, "right", "fr_base_X_fr_upperleg");

@@ -29,7 +29,7 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
   std::ofstream(path, std::ios::binary) << text;
 }
 
-// A folder of its own for each test, empty at first.
+// A new folder for a test, empty at first.
 class Scratch {
  public:
   explicit Scratch(const std::string& name)
@@ -44,7 +44,7 @@ class Scratch {
   const std::filesystem::path path;
 };
 
-// `arguments` as in a shell; `prefix` may set environment variables.
+// `arguments` are in shell syntax; `prefix` may set environment variables.
 inline Outcome run_tool(const std::string& arguments, const std::string& input = "", const std::string& prefix = "") {
   const Scratch scratch("run");
   write_text(scratch.path / "input", input);

@@ -1,4 +1,4 @@
-// Standard streams that are full, closed, endless or no files at all.
+// Standard streams that are full, closed, endless or not files.
 #include <gtest/gtest.h>
 
 #include "run_tool.h"
@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A script of the shell in which "$tool" is the generator.
+// Runs a shell script in which "$tool" is the generator.
 Outcome run_script(const std::string& script) {
   const Scratch scratch("script");
   write_text(scratch.path / "script", "tool='" ROBCOGEN_TOOL "'\n" + script + "\n");
@@ -66,7 +66,8 @@ TEST_F(Streams, ClosedOutput) {
     expect_lost_output(run_script("\"$tool\" " + command + state_ + " >&-"), command);
 }
 
-// The reader is gone before the first byte: a FIFO that was opened for both directions and closed.
+// The reader is gone before the first byte is written: the script waits for the process at the other end of the pipe to
+// exit.
 TEST_F(Streams, OutputWithoutReader) {
   for (const auto& [command, writes] : commands()) {
     if (!writes) continue;
@@ -79,11 +80,11 @@ TEST_F(Streams, LostMessagesAreAFault) {
   write_text(scratch_.path / "bad.kindsl", "Robot");
   for (const char* lost : {"/dev/full", "&-"})
     EXPECT_EQ(run_script("\"$tool\" check " + quoted(scratch_.path / "bad.kindsl") + " 2>" + lost).status, 2) << lost;
-  // Nothing was to be said.
+  // There was no message to print.
   EXPECT_EQ(run_script("\"$tool\" check " + quoted(robot("hyl")) + " 2>&-").status, 0);
 }
 
-// A file that is opened later must not become standard output.
+// A file that is opened later must not take the place of standard output.
 TEST_F(Streams, ClosedStreamsAreNotTakenByFiles) {
   const fs::path out = scratch_.path / "out";
   for (const char* closed : {"<&-", ">&-", "2>&-", "<&- >&- 2>&-"}) {

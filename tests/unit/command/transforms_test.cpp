@@ -26,7 +26,7 @@ class Transforms : public testing::Test {
         "Model Arm Params sizes { reach } Convention = local base -> elbow : rotz(shoulder) trx(sizes.reach) "
         "[upper] elbow -> hand : roty(bend) trx(p:palm[0.1])");
   }
-  // Generates and returns the text of a file.
+  // Generates code and returns the text of one file.
   std::string generated(const std::string& arguments, const std::string& path) {
     const Outcome run = run_tool("generate " + arguments + " --name arm -o " + quoted(scratch_.path));
     EXPECT_EQ(run.status, 0) << run.errors;
@@ -141,7 +141,7 @@ TEST_F(Transforms, AreEvaluated) {
   const json X = json::parse(run.output)["X"];
   EXPECT_NEAR(X[0][3].get<double>(), 2 * std::cos(0.3), kRounding * 2);
   EXPECT_NEAR(X[1][0].get<double>(), std::sin(0.3), kRounding);
-  // Defaults hold.
+  // Defaults are used.
   const Outcome still = run_tool(eval + "elbow_X_hand", R"({"variables": {"bend": 0}, "parameters": {"reach": 2}})");
   ASSERT_EQ(still.status, 0) << still.errors;
   EXPECT_EQ(json::parse(still.output)["X"][0][3], 0.1);

@@ -1,4 +1,4 @@
-// Wrong command lines: their messages, and a check that none is an internal fault.
+// Wrong command lines: their messages, and a check that none causes an internal fault.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -37,7 +37,7 @@ TEST(Usage, NoOptionIsAcceptedAndIgnored) {
   EXPECT_NE(run.errors.find("'-J' is not an option of robcogen generate"), std::string::npos) << run.errors;
 }
 
-// What an option asks for can be in none of the languages.
+// None of the requested languages supports the option.
 TEST(Usage, OptionsOfOtherLanguagesAreRefused) {
   const Scratch scratch("other-languages");
   const std::vector<std::pair<std::string, std::string>> cases = {
@@ -73,7 +73,7 @@ TEST(Usage, EverySingleStepAndNone) {
   EXPECT_NE(both.errors.find("--passes: 'none' excludes other steps"), std::string::npos) << both.errors;
 }
 
-// Words of the command line put together at random, over small documents.
+// Random combinations of command-line words, applied to small documents.
 TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
   const Scratch scratch("fuzz");
   const auto file = [&](const std::string& name, const std::string& text) {

@@ -25,13 +25,13 @@ TEST(Draw, WritesADrawing) {
   run_tool("draw " + quoted(robot("hyl")) + " -o " + quoted(other) + " --pattern --q KFE=-0.3,HFE=0.2,SLIDE=0.1");
   const std::string with_pattern = read_text(other);
   EXPECT_NE(with_pattern.find("inertia matrix"), std::string::npos);
-  // The robot is the same, in the position that names give.
+  // The robot is the same, in the position that is given by name.
   const std::size_t first = text.find("<polygon"), last = text.rfind("</text>");
   ASSERT_NE(first, std::string::npos);
   EXPECT_NE(with_pattern.find(text.substr(first, text.rfind("<text", last) - first)), std::string::npos);
 }
 
-// Positions by the names of their elements; a quaternion of any length but zero is a turn.
+// Positions are given by the names of their elements; a quaternion of any length but zero is a rotation.
 TEST(Draw, TakesQuaternions) {
   const Scratch scratch("draw-spherical");
   const std::string leg = quoted(robot("ball_leg")), picture = quoted(scratch.path / "picture");

@@ -1,4 +1,4 @@
-// Passes that keep the digits of the plain recursions, and what happens where they do not.
+// Passes keep the accuracy of the plain recursions; programs that lose digits are traced again.
 #include "driver/accurate_functions.h"
 
 #include "documents.h"
@@ -32,7 +32,7 @@ TEST(AccurateFunctions, AreThoseThatThePassesMake) {
   }
 }
 
-// A large number is added and taken away again: right on paper, and eight digits are lost.
+// A large number is added and subtracted again: the result is mathematically the same, but eight digits are lost.
 Program with_lost_digits(Program p) {
   const int large = static_cast<int>(p.constants.size());
   p.constants.push_back(*Number::parse("1e8"));
@@ -56,7 +56,7 @@ TEST(AccurateFunctions, ThatLoseDigitsAreTracedAgain) {
   const Program sound = spoilt.traced.program;
   spoilt.traced.program = with_lost_digits(sound);
   ASSERT_EQ(verify(spoilt.traced.program), "");
-  spoilt.congruent = sound;  // dropped with it
+  spoilt.congruent = sound;  // dropped together with the program
   const Functions after = run_accurate_passes(*model.robot(), before, Steps().formulation(), {});
   const Function& f = after.list.at(0);
   EXPECT_FALSE(f.results->are_kept_by(spoilt.traced.program));

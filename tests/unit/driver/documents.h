@@ -1,4 +1,4 @@
-// Small documents in each language, and a folder to write them to.
+// Small documents in each language, and a temporary folder for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace robcogen::driver::test {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, empty at first; gone in the end.
+// A new folder, empty at first, that is removed at the end.
 class Folder {
  public:
   Folder() {
@@ -38,7 +38,7 @@ class Folder {
   fs::path path_;
 };
 
-// Point masses of 2 and 0.5 kg at the ends of rods of 0.75 and 1.25 m, in the plane of base x and z.
+// Point masses of 2 and 0.5 kg at the ends of rods of 0.75 and 1.25 m, in the base's x-z plane.
 inline constexpr double kM1 = 2.0, kL1 = 0.75, kM2 = 0.5, kL2 = 1.25, kGravity = 9.81;
 
 inline constexpr const char* kRods = R"(Robot Rods {
@@ -78,7 +78,7 @@ inline constexpr const char* kRodsUrdf = R"(<robot name="Rods">
 </robot>
 )";
 
-// The same frames as motions and as transforms: turned by a about x, then moved by 0.5 m along y.
+// The same frames as motions and as transforms: turned by a about x, then shifted by 0.5 m along y.
 inline constexpr const char* kMotions = "Model Arm Convention = local base -> hand : rotx(a) try(0.5)";
 inline constexpr const char* kTransforms =
     "Model Arm MovedFramePos = right {base}_X_{hand} = Rx(a) Ty(0.5) {hand}_X_{base} = Ty(-0.5) Rx(-a)";
@@ -95,7 +95,7 @@ inline Model rods() {
   return loaded(folder.file("rods.kindsl", kRods));
 }
 
-// Replaces the first occurrence.
+// Replaces the first occurrence of `what`.
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;

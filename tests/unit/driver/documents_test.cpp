@@ -1,4 +1,4 @@
-// Which language a document is in, and the text of files.
+// The language of a document, and the text of files.
 #include "driver/documents.h"
 
 #include "documents.h"
@@ -26,7 +26,7 @@ TEST(Documents, OfOtherSuffixesAreJudgedByTheirContent) {
   EXPECT_EQ(language_of(folder.file("robot", test::kRods)), Language::robot);
   for (const char* name : {"model.xml", "model.urdf", "model.kindsl", "model"})
     EXPECT_EQ(language_of(folder.file(name, "<?xml version='1.0'?>\n<mujoco model='m'/>")), Language::mjcf) << name;
-  EXPECT_EQ(language_of(folder.file("robot.kindsl", test::kRodsUrdf)), Language::urdf);  // a file called wrongly
+  EXPECT_EQ(language_of(folder.file("robot.kindsl", test::kRodsUrdf)), Language::urdf);  // a wrong extension
   EXPECT_EQ(language_of(folder.file("frames.motdsl", test::kRodsUrdf)), Language::motions);
   EXPECT_EQ(language_of("no_such_file"), Language::robot);
 }
@@ -42,12 +42,12 @@ TEST(Documents, AreReadByteForByte) {
   const auto source = read_source(file);
   EXPECT_EQ(source->text(), "a\r\nb\n");
   EXPECT_EQ(source->name(), file.string());
-  // A file is read again when it has changed.
+  // A file is read again after it has changed.
   folder.file("text", "c");
   EXPECT_EQ(read_source(file)->text(), "c");
 }
 
-// What reading this file fails with; `ok` and no message where it does not.
+// The failure that reading this file causes; `ok` without a message if there is none.
 Failure failure_of(const fs::path& file) {
   try {
     read_source(file);

@@ -1,4 +1,4 @@
-// From a file to the text of a library, by the calls of a program that embeds the generator.
+// From a file to the text of a library, with the calls of a program that embeds the generator.
 #include "driver/driver.h"
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(Driver, GeneratesALibraryInEachLanguage) {
   }
 }
 
-// The library holds what the programs compute: the second mass weighs on the elbow.
+// The library contains the results of the programs: the second mass loads the elbow.
 TEST(Driver, FunctionsOfALibraryAreRightInEveryForm) {
   const Model model = rods();
   const double q1 = 0.4, q2 = -1.1, expected = kGravity * kM2 * kL2 * std::cos(q1 + q2);
@@ -78,7 +78,7 @@ TEST(Driver, ProgramsAreTheSameFunctionsWithoutALibrary) {
   }
 }
 
-// The groups of robots do not matter there.
+// The function groups of robots have no effect on transforms.
 TEST(Driver, TransformsTakeTheSamePath) {
   const Folder folder;
   for (const fs::path& file : {folder.file("arm.motdsl", kMotions), folder.file("arm.ctdsl", kTransforms)}) {

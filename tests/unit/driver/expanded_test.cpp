@@ -1,4 +1,4 @@
-// What is generated from a document with parts is what is generated from its plain document.
+// A document with parts and its expanded plain document give the same programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::vector<fs::path> robots() {
   return result;
 }
 
-// `text` in the place of the file, if one is given.
+// Reads `text` instead of the file, if it is given.
 std::vector<std::string> programs_of(const fs::path& file, const std::shared_ptr<const Source>& text) {
   LoadOptions options;
   options.may_be_library = true;

@@ -1,4 +1,4 @@
-// What a library says about its model, and the functions that it holds.
+// What a library says about its model, and the functions that it contains.
 #include "driver/library.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(Library, SaysWhereItIsFrom) {
   EXPECT_EQ(library.name, "arm");
   EXPECT_EQ(library.enclosing, "a::b");
   EXPECT_EQ(library.robot, "Rods");
-  EXPECT_EQ(library.model_file, "rods.kindsl");  // no folder of this machine
+  EXPECT_EQ(library.model_file, "rods.kindsl");  // without the folder on this machine
   EXPECT_EQ(library.generator_version, kVersion);
   EXPECT_EQ(library.groups, std::vector<std::string>{"inverse_dynamics"});
   EXPECT_FALSE(library.floating_base);
@@ -60,7 +60,7 @@ TEST(Library, HoldsTheModelInNumbers) {
   EXPECT_EQ(tip->translation, (std::array<double, 3>{kL2, 0, 0}));
 }
 
-// What depends on a parameter without default is not a number; what does not is.
+// Numbers that depend on a parameter without a default are NaN; all others are known.
 TEST(Library, ParametersWithoutDefaultLeaveNoNumbers) {
   const Folder folder;
   const std::string text = replaced(replaced(kRods, "mass = 2.0", "mass = heavy"), "mass = 0.5", "mass = light[0.5]");
@@ -110,7 +110,7 @@ TEST(Library, OfADocumentOfTransformsHasNoRobot) {
   EXPECT_EQ(library.variables, std::vector<std::string>{"a"});
   ASSERT_EQ(library.frames.size(), 2U);
   EXPECT_EQ(library.frames[0].link, -1);
-  // The product of the document, for checks: Rx(a) Ty(0.5).
+  // The document's own product, for checks: Rx(a) Ty(0.5).
   const backend::Function& f = function(library, "transforms::homogeneous", "base_X_hand");
   ASSERT_EQ(f.factors.value().primitives.size(), 2U);
   EXPECT_TRUE(f.factors->primitives[0].rotation);

@@ -1,4 +1,4 @@
-// From files to models: robots and coordinate transforms by one call, whatever their language.
+// From files to models: one call loads robots and coordinate transforms in any language.
 #include "driver/load.h"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ TEST_F(Load, AListChoosesTransforms) {
   }
 }
 
-// Of one layout and comments the text is the same; of another number it is not.
+// Layout and comments do not change the canonical text; a changed number does.
 TEST_F(Load, CanonicalTextIsThatOfTheContent) {
   const std::string text = kRods;
   const auto canonical = [&](const std::string& t) { return loaded(folder.file("rods.kindsl", t)).canonical; };
@@ -124,7 +124,7 @@ TEST_F(Load, StrictnessMakesErrorsOfWarnings) {
   EXPECT_EQ(codes(Severity::error), warnings);
 }
 
-// A point mass on a massless wrist: the inertia matrix of the wrist's joint is zero.
+// A point mass at the axis of a massless wrist: the inertia about the wrist's joint is zero.
 TEST_F(Load, GroupsThatARobotCannotHaveAreErrorsWhereTheyAreAskedFor) {
   const std::string text = replaced(
       replaced(kRods, "(1.25, 0.0, 0.0)", "(0.0, 0.0, 0.0)"), "Iy = 0.78125  Iz = 0.78125", "Iy = 0.0  Iz = 0.0");
@@ -135,7 +135,7 @@ TEST_F(Load, GroupsThatARobotCannotHaveAreErrorsWhereTheyAreAskedFor) {
   EXPECT_FALSE(codes(Severity::error).empty());
 }
 
-// Where a group is not generated though the mass properties allow it: a chain of many links, solved for many columns.
+// The mass properties allow the group, but its code would be too long: a chain of many links, solved for many columns.
 TEST_F(Load, GroupsWhoseCodeWouldBeTooLongAreErrorsWhereTheyAreAskedFor) {
   std::string links, joints;
   constexpr int kLinks = 60;

@@ -1,4 +1,4 @@
-// From programs to cheaper programs with the same results, in the forms that languages take.
+// From programs to cheaper programs with the same results, in the forms that languages support.
 #include "driver/optimise.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(Optimise, PassesMakeProgramsCheaperAndKeepResults) {
   expect_same(tau_of(after), tau_of(plain));
 }
 
-// Of robots, and within a few roundings here.
+// Rounding errors of a robot's functions are measured; here they amount to a few roundings.
 TEST(Optimise, RoundingErrorsAreMeasured) {
   for (const Function& f : optimised(rods(), {}).list) {
     ASSERT_TRUE(f.traced.error);
@@ -69,7 +69,7 @@ TEST(Optimise, LanguagesThatTakeSinesGetThem) {
   EXPECT_FALSE(without.trigonometry);
   EXPECT_GT(symbolic::count(without.list.at(0).traced.program).sincos, 0);
   ASSERT_TRUE(with.trigonometry);
-  EXPECT_GE(with.trigonometry->angle_count, 2);  // of each joint at least
+  EXPECT_GE(with.trigonometry->angle_count, 2);  // at least one for each joint
   EXPECT_TRUE(with.list.at(0).parts);
 }
 
@@ -78,11 +78,12 @@ TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {
   const Model model = loaded(folder.file("rods.kindsl", replaced(kRods, "mass = 2.0", "mass = heavy[2.0]")));
   const Functions whole = optimised(model, {}), split = optimised(model, {}, {.caches_parameters = true});
   EXPECT_TRUE(whole.updates.empty());
-  ASSERT_EQ(split.updates.size(), 3U);  // of kinematics, of dynamics, of both
+  ASSERT_EQ(split.updates.size(), 3U);  // kinematics, dynamics, both
   ASSERT_EQ(split.numbers.size(), 1U);
   const Program& kernel = split.list.at(0).traced.program;
   ASSERT_TRUE(reads(kernel, Role::parameters));
-  // The cache, part by part, then the function: as the whole function of the parameters.
+  // Filling the cache part by part and then calling the function gives the result of the whole function of the
+  // parameters.
   symbolic::Arrays<double> with_cache = kState, with_parameters = kState;
   const double heavy = 3.25;
   std::vector<double>& cache = with_cache[kernel.inputs.at(0).name];
@@ -98,7 +99,7 @@ TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {
   EXPECT_LE(symbolic::count(kernel).mul, symbolic::count(reference).mul);
 }
 
-// Four legs of three joints: one statement serves them all.
+// Four legs with three joints each: one statement serves all legs.
 TEST(Optimise, CongruentLimbsShareLanes) {
   const Model model = loaded(fs::path(ROBCOGEN_ROBOTS_DIR) / "quadruped_fixed" / "quadruped_fixed.kindsl");
   const Steps fast{all_steps(), 0}, no_lanes{pass::names(), 0};

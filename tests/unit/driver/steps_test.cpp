@@ -1,4 +1,4 @@
-// The steps of a run: which part each name switches.
+// The steps of a run: what each name switches on.
 #include "driver/steps.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Steps, WithoutNamesAreThePlainFormulationAlone) {
   EXPECT_FALSE(none.has_lanes());
 }
 
-// Each name switches one thing.
+// Each name switches on exactly one step.
 TEST(Steps, AreSwitchedOneByOne) {
   for (const std::string& name : all_steps()) {
     const Steps one{{name}};

@@ -15,7 +15,7 @@ using namespace test;
 
 TEST(Trace, MakesTheFunctionsOfEachGroupInTurn) {
   const Functions functions = trace(rods(), {"joint_space_inertia", "inverse_dynamics"}, {});
-  ASSERT_GE(functions.list.size(), 3U);  // an inertia matrix, and inverse dynamics with several loads
+  ASSERT_GE(functions.list.size(), 3U);  // one inertia matrix, and inverse dynamics with several loads
   EXPECT_EQ(functions.list.front().traced.group, "joint_space_inertia");
   for (std::size_t i = 1; i < functions.list.size(); ++i) {
     EXPECT_EQ(functions.list[i].traced.group, "inverse_dynamics");
@@ -23,7 +23,7 @@ TEST(Trace, MakesTheFunctionsOfEachGroupInTurn) {
   }
 }
 
-// Weights by hand: of both masses about the shoulder, of the second about the elbow.
+// Weights by hand: both masses about the shoulder, the second one about the elbow.
 TEST(Trace, ComputesWhatTheRobotDoes) {
   const double q1 = 0.4, q2 = -1.1;
   for (const std::vector<std::string>& steps : {std::vector<std::string>(), all_steps()}) {
@@ -50,7 +50,7 @@ TEST(Trace, OfTransformsKnowsWhichOneEachFunctionIs) {
   }
 }
 
-// Two rods side by side on a base; the mass of one is a little beside its rod.
+// Two rods next to each other on a base; the mass of one is slightly off its rod.
 Model two_arms(const std::string& second_com) {
   std::string text = "Robot Arms { RobotBase body { children { L via L_joint R via R_joint } }\n";
   int id = 1;
@@ -75,7 +75,7 @@ TEST(Trace, ForLanesLimbsFoldInTheSameWay) {
   EXPECT_FALSE(congruent(two_arms("(0.5, 0.0, 0.0)")));
   const auto program = congruent(different);
   ASSERT_TRUE(program);
-  // The same forces by a program that folds less.
+  // The forces are the same, from a program that folds less.
   const symbolic::Program plain = trace(different, groups, plain_steps).list.at(0).traced.program;
   EXPECT_GT(symbolic::work(*program), symbolic::work(plain));
   const symbolic::Arrays<double> state = {{"q", {0.3, -0.8}}, {"qd", {1.0, 2.0}}, {"qdd", {-3.0, 0.5}}};

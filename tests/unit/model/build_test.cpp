@@ -17,7 +17,7 @@ Codes codes_of(const Description& description) {
   return test::codes(diagnostics);
 }
 
-// Everything that only a tree of many elements shows is here; each message has its own document in tests/model/bad.
+// These tests need trees of several elements; each message has its own document in tests/model/bad.
 
 TEST(Build, LinksATree) {
   Diagnostics diagnostics;
@@ -104,7 +104,7 @@ TEST(Build, MovesTheReferenceIntoTheInertia) {
   EXPECT_EQ(in_link_frame(*tree->links[2].inertia).first_moment[2].number().value(), 0.25);
 }
 
-// Neither quadratic time (which would be hours) nor a call stack as deep as the chain.
+// Large enough that quadratic time (hours) or a call stack as deep as the chain would show.
 constexpr int kMany = 100000;
 
 TEST(BuildLarge, AChain) {

@@ -1,4 +1,4 @@
-// Joints of several coordinates against the motions that they stand for.
+// Joints with several coordinates, compared with the motions that they represent.
 #include "model/compound.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using test::pi;
 
 constexpr double kTolerance = 1e-14;
 
-// A ball on such a joint.
+// A ball on a joint of this type.
 Description ball_on(CompoundType type, const Placement& placement, Diagnostics& diagnostics) {
   Description d;
   d.base.name = "base";
@@ -39,11 +39,11 @@ KinematicTree tree_of(const Description& d) {
   Diagnostics diagnostics;
   const std::optional<KinematicTree> tree = build(d, diagnostics);
   EXPECT_TRUE(tree.has_value()) << diagnostics.render();
-  EXPECT_EQ(diagnostics.render(), "");  // the links between have no inertia, but the joints move some
+  EXPECT_EQ(diagnostics.render(), "");  // the links between have no inertia, but each joint moves some
   return *tree;
 }
 
-// Of the last link in the base.
+// Returns the pose of the last link in the base.
 Isometry3d pose_of_child(const KinematicTree& tree, const std::vector<double>& q) {
   Isometry3d pose = Isometry3d::Identity();
   for (const int j : tree.topological()) {
@@ -89,7 +89,7 @@ TEST_P(Compounds, MoveTheirChildAsTheyShould) {
   }
 }
 
-// Quarter turns stay exact: products with zeros vanish.
+// Quarter turns stay exact, so that products with zeros vanish.
 TEST_P(Compounds, KeepQuarterTurnsExact) {
   for (const int quarters : {0, 1, 2, 3}) {
     Diagnostics diagnostics;
@@ -113,7 +113,7 @@ TEST_P(Compounds, AreJointsOfOneCoordinateOnLinksWithoutMass) {
     EXPECT_EQ(child.is_virtual, k + 1 < coordinates.size());
     EXPECT_EQ(child.inertia.has_value(), !child.is_virtual);
   }
-  // Nobody asked for the frames between.
+  // No transforms of the frames between are generated, because nobody asked for them.
   for (const FramePair& pair : default_desired(tree).transforms)
     EXPECT_TRUE(pair.left.name == "fr_base" || pair.left.name == "fr_ball") << pair.left.name;
 }

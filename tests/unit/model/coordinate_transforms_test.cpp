@@ -9,7 +9,7 @@
 namespace robcogen::model {
 namespace {
 
-// Coordinates stay within some metres through chains of a dozen primitives.
+// Coordinates stay within a few metres through chains of a dozen primitives.
 constexpr double kTolerance = 1e-12;
 
 std::string text(const CoordinateTransform& transform, const RigidMotions& motions) {
@@ -41,7 +41,7 @@ ElementaryMotion shift(Axis axis, int variable) {
   return {false, axis, Quantity::variable(variable)};
 }
 
-// The paper's Fig. 4: sequences of Euler angles.
+// Fig. 4 of the paper: sequences of Euler angles.
 RigidMotions euler_angles() {
   RigidMotions motions;
   motions.variables = {"a11", "a12", "a13", "a21", "a22", "a23", "a31", "a32", "a33"};
@@ -132,7 +132,7 @@ Eigen::Isometry3d elementary(bool rotation, Axis axis, double amount) {
                   : Eigen::Isometry3d(Eigen::Translation3d(amount * unit));
 }
 
-// Where `motion` carries its frame: from_T_to.
+// Returns from_T_to: the pose to which `motion` carries its frame.
 Eigen::Isometry3d carried(const Motion& motion, MotionConvention convention, const std::vector<double>& variables) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (const ElementaryMotion& step : motion.steps) {
@@ -140,7 +140,7 @@ Eigen::Isometry3d carried(const Motion& motion, MotionConvention convention, con
     if (convention == MotionConvention::local) {
       pose = pose * move;
     } else if (step.rotation) {
-      pose.linear() = move.linear() * pose.linear();  // about the origin that has moved
+      pose.linear() = move.linear() * pose.linear();  // about the moved origin
     } else {
       pose.translation() += move.translation();
     }

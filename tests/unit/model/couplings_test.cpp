@@ -1,4 +1,4 @@
-// Couplings of a description, resolved over independent joints.
+// Couplings of a description, expressed in independent joints.
 #include <gtest/gtest.h>
 
 #include "descriptions.h"
@@ -102,14 +102,15 @@ TEST(Couplings, OfAMotionAreSubstituted) {
   EXPECT_EQ(turned, 1.1);
 }
 
-// A massless link between two joints of one axis: free, the joints meet no inertia together; coupled, they do.
+// A massless link between two joints with the same axis: if both are free, together they meet no inertia; if coupled,
+// they do.
 TEST(Couplings, DecideWhetherTheInertiaMatrixIsSingular) {
   Description d = test::two_links();
   d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
   EXPECT_TRUE(inertia_defects(built(d)).is_singular());
   d.couplings = {coupling("b", {{"a", 2.0}})};
   EXPECT_FALSE(inertia_defects(built(d)).is_singular());
-  d.couplings = {coupling("b", {{"a", -1.0}})};  // the second turns back: nothing turns
+  d.couplings = {coupling("b", {{"a", -1.0}})};  // the second joint turns back, so nothing turns
   const InertiaDefects defects = inertia_defects(built(d));
   ASSERT_EQ(defects.joints.size(), 1u);
   EXPECT_EQ(defects.joints[0].joint, 0);

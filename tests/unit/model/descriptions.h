@@ -56,7 +56,7 @@ inline Description two_links() {
   return d;
 }
 
-// base -j0-> l0 -j1-> l1 ... , `length` joints, each 1 m beyond the one before.
+// base -j0-> l0 -j1-> l1 ...: `length` joints, each 1 m beyond the previous one.
 inline Description chain(int length) {
   Description d;
   d.name = "chain";
@@ -72,21 +72,21 @@ inline Description chain(int length) {
   return d;
 }
 
-// Codes of all diagnostics in the order of their report.
+// The codes of all diagnostics, in the order of their report.
 inline std::vector<std::string> codes(const Diagnostics& diagnostics) {
   std::vector<std::string> result;
   for (const Diagnostic& d : diagnostics.all()) result.push_back(d.code);
   return result;
 }
 
-// Those that building this robot reports.
+// The codes that building this robot reports.
 inline std::vector<std::string> codes_of(const Description& d) {
   Diagnostics diagnostics;
   build(d, diagnostics);
   return codes(diagnostics);
 }
 
-// parent_T_frame, by Eigen.
+// parent_T_frame, computed by Eigen.
 inline Eigen::Isometry3d pose(const Placement& placement, std::span<const double> parameters = {}) {
   const auto value = [&](const Quantity& q) { return evaluate(q, parameters); };
   const auto turn = [&](int axis) {

@@ -11,7 +11,7 @@ using Codes = std::vector<std::string>;
 using test::number;
 using test::pi;
 
-// Why the joint-space inertia matrix is singular: a reason for each joint, and one for the base.
+// Returns the reasons why the joint-space inertia matrix is singular: one for each joint, and one for the base.
 std::vector<std::string> messages(const Description& d) {
   Diagnostics diagnostics;
   EXPECT_TRUE(build(d, diagnostics).has_value()) << diagnostics.render();
@@ -40,7 +40,7 @@ TEST(InertiaMatrix, NamesTheJointThatTurnsAPointMassOnItsAxis) {
   d.links[1].inertia = test::ball(1.0, 0.0);
   d.links[1].inertia->com[2] = number(0.3);
   EXPECT_EQ(messages(d), Codes{"nothing that joint 'b' moves has inertia about its axis"});
-  d.links[1].inertia->com[0] = number(1e-3);  // off the axis, however little
+  d.links[1].inertia->com[0] = number(1e-3);  // slightly off the axis
   d.links[1].inertia->ixx = d.links[1].inertia->iyy = number(0.09);
   d.links[1].inertia->izz = number(1e-6);
   EXPECT_EQ(messages(d), kNone);
@@ -61,13 +61,13 @@ TEST(InertiaMatrix, RefusesAMasslessLinkBetweenTwoJointsOfOneAxis) {
 }
 
 TEST(InertiaMatrix, AcceptsASingularityOfOnePositionOnly) {
-  // A massless universal joint: singular only where its axes line up.
+  // A massless universal joint is singular only where its axes line up.
   Description d = test::chain(3);
   d.links[0] = test::massless("l0", d.links[0].children);
   d.links[1] = test::massless("l1", d.links[1].children);
   for (DescribedJoint& joint : d.joints) joint.placement = {};
   d.joints[1].placement.rotation[0] = pi(1, 2);
-  d.joints[2].placement.rotation[0] = pi(-1, 2);  // a third axis, equal to the first at q = 0
+  d.joints[2].placement.rotation[0] = pi(-1, 2);  // a third axis, parallel to the first at q = 0
   EXPECT_EQ(messages(d), kNone);
 }
 
@@ -78,7 +78,7 @@ TEST(InertiaMatrix, AcceptsAMasslessFloatingBaseThatTheLegsHold) {
   d.base = test::massless("base", {{"left", "a", {}, {}}, {"right", "b", {}, {}}});
   d.links = {test::link("left"), test::link("right")};
   d.joints = {test::joint("a"), test::joint("b")};
-  EXPECT_EQ(messages(d), Codes{kBase});  // two joints of one axis leave the base free to turn about it
+  EXPECT_EQ(messages(d), Codes{kBase});  // joints with the same axis leave the base free to turn about it
   d.joints[1].placement.rotation[0] = pi(1, 2);
   EXPECT_EQ(messages(d), kNone);
 }
@@ -90,7 +90,7 @@ TEST(InertiaMatrix, RefusesAMasslessFloatingBase) {
   EXPECT_EQ(messages(d), kNone);
   d.floating_base = true;
   EXPECT_EQ(test::codes_of(d), Codes{"no-inertia"});
-  d.base.inertia = test::ball(1.0, 0.0);  // a point can turn freely
+  d.base.inertia = test::ball(1.0, 0.0);  // a point mass can turn freely
   EXPECT_EQ(messages(d), Codes{kBase});
 }
 
@@ -115,9 +115,9 @@ TEST(InertiaMatrix, KnowsARobotOfKinematicsAlone) {
   Description d = test::two_links();
   d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
   d.links[1].inertia = test::ball(0.0, 0.0);
-  d.base.inertia = test::ball();  // of a fixed base: nothing moves it
+  d.base.inertia = test::ball();  // the inertia of a fixed base, which nothing moves
   EXPECT_EQ(test::codes_of(d), (Codes{"zero-mass", "no-inertia"}));
-  d.links[1].inertia->izz = number(0.1);  // a flywheel whose mass is left out
+  d.links[1].inertia->izz = number(0.1);  // a flywheel without a mass
   const Codes codes = test::codes_of(d);
   EXPECT_EQ(std::count(codes.begin(), codes.end(), "no-inertia"), 0);
   EXPECT_EQ(std::count(codes.begin(), codes.end(), "no-mass"), 1);
@@ -142,7 +142,7 @@ TEST(InertiaMatrix, JudgesSmallThingsOnLargeOnesByTheirOwnSize) {
   d.joints[1].placement.translation = {number(10.0), number(3.0), number(-2.0)};
   d.links[1].inertia = test::ball(1e-6, 1e-13);
   EXPECT_EQ(messages(d), kNone);
-  // Nearly massless in the middle of one axis.
+  // A nearly massless link in the middle of one axis.
   d = test::two_links();
   d.links[0].inertia = test::ball(1e-9, 1e-9);
   EXPECT_EQ(messages(d), kNone);
@@ -166,7 +166,7 @@ TEST(InertiaMatrix, AgreesWithTheRankOfTheMatrixOnRandomRobots) {
     Description d;
     d.name = "random";
     d.floating_base = pick(3) == 0;
-    // Massless, a point mass (on the axis or off it), a rod along x or z, or a ball; nothing in between.
+    // Massless, a point mass (on or off the axis), a rod along x or z, or a ball; no borderline cases.
     const auto random_inertia = [&]() -> std::optional<Inertia> {
       Inertia i = test::ball(1.0, 0.0);
       switch (pick(6)) {
@@ -221,7 +221,7 @@ TEST(InertiaMatrix, AgreesWithTheRankOfTheMatrixOnRandomRobots) {
     EXPECT_EQ(is_reported, expected > 0 && !defects.no_inertia) << diagnostics.render();
     singular += expected > 0;
   }
-  // Both answers must occur often for the comparison to mean anything.
+  // Both outcomes must be frequent for the comparison to mean anything.
   EXPECT_GT(singular, kRounds / 10);
   EXPECT_LT(singular, kRounds * 9 / 10);
 }

@@ -1,4 +1,4 @@
-// Pivots of inertia matrices, against matrices by Jacobians.
+// Pivots of inertia matrices, compared with matrices from Jacobians.
 #include "model/inertia_pivots.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using test::number;
 
 constexpr double kRounding = 1e-11;
 
-// Bodies at skew axes, the second joint of this type.
+// Bodies with skew axes; the second joint has this type.
 Description two_bodies(JointType type, bool is_floating) {
   Description d = test::two_links();
   d.floating_base = is_floating;
@@ -37,7 +37,7 @@ KinematicTree built(const Description& d) {
   return *tree;
 }
 
-// At the position that the pivots are those of.
+// Returns the inertia matrix at the position to which the pivots belong.
 Eigen::MatrixXd inertia(const Description& d) {
   const std::vector<double> q = OrdinaryNumbers().next(d.joints.size());
   return test::inertia_matrix(d, {0, 1}, Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<int>(q.size())));

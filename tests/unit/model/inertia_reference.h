@@ -1,4 +1,4 @@
-// The joint-space inertia matrix of a description by Jacobians of bodies, in plain matrices: a second opinion for
+// The joint-space inertia matrix of a description from body Jacobians, in plain matrices: an independent check for
 // tests.
 #pragma once
 
@@ -61,7 +61,7 @@ inline Eigen::MatrixXd inertia_matrix(const Description& d, const std::vector<in
 }
 
 inline int nullity(const Eigen::MatrixXd& H) {
-  // Numbers are of order one or zero here, so an absolute limit will do.
+  // All numbers are of order one or zero, so an absolute limit is sufficient.
   constexpr double kZero = 1e-9;
   if (H.size() == 0) return 0;
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();

@@ -29,7 +29,7 @@ Eigen::Matrix3d point_mass(double m, const Eigen::Vector3d& c) {
   return m * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
 }
 
-// The ten numbers of an inertia, then the six of its reference, in this order.
+// An inertia from its ten numbers, followed by the six of its reference, in this order.
 Inertia inertia_of(const std::vector<Quantity>& v) {
   Inertia i;
   i.mass = v[0];
@@ -39,9 +39,9 @@ Inertia inertia_of(const std::vector<Quantity>& v) {
   return i;
 }
 
-// Parameters and constants must give the result of the textbook, through the centre of mass.
+// Parameters and constants must give the textbook result, which goes through the centre of mass.
 TEST(InLinkFrame, AgreesWithTheRouteThroughTheCentreOfMass) {
-  constexpr double kTolerance = 1e-13;  // values of order 10, some ten roundings
+  constexpr double kTolerance = 1e-13;  // values of order 10, about ten roundings
   const unsigned seed = 20240;
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> any(-2.0, 2.0);
@@ -85,7 +85,7 @@ TEST(InLinkFrame, KeepsWhatIsGivenInTheLinkFrame) {
   EXPECT_EQ(body.ixy.number().value(), 0.01);
 }
 
-// Right angles permute and negate numbers; they change none.
+// Right angles permute and negate numbers without changing their magnitudes.
 TEST(InLinkFrame, IsExactForRightAngles) {
   Inertia i;
   i.mass = number(3.0);
@@ -94,7 +94,7 @@ TEST(InLinkFrame, IsExactForRightAngles) {
   i.ixy = number(0.01), i.ixz = number(0.02), i.iyz = number(0.03);
   i.reference = Placement{{}, {pi(1, 2), pi(-1, 2), pi(1)}};
   const RigidBodyInertia body = in_link_frame(i);
-  // R = Rx(90) Ry(-90) Rz(180): x -> -z of y'..., by Eigen rounded to integers.
+  // R = Rx(90) Ry(-90) Rz(180), computed by Eigen and rounded to integers.
   const Eigen::Matrix3d R = test::pose(*i.reference).rotation().array().round().matrix();
   const Eigen::Matrix3d expected = R * tensor(0.7, 0.8, 0.9, 0.01, 0.02, 0.03) * R.transpose();
   EXPECT_EQ(tensor(body), expected);

@@ -7,7 +7,7 @@
 namespace robcogen::model {
 namespace {
 
-// base -a-> trunk -> (b-> arm, c-> leg -d-> foot), declared in another order than that of the tree.
+// base -a-> trunk -> (b-> arm, c-> leg -d-> foot), not declared in the order of the tree.
 KinematicTree branched() {
   Description d;
   d.name = "branched";
@@ -46,7 +46,7 @@ TEST(KinematicTree, OrdersJointsFromTheBase) {
   EXPECT_EQ(tree.parent_joint_of(3), -1);
 }
 
-// Joints d and c follow by a sum and through a loop.
+// Joint d follows by a sum, and joint c through a loop.
 TEST(KinematicTree, KnowsWhereJointsAreWhenLoopsAreAssembled) {
   KinematicTree tree = branched();
   EXPECT_EQ(tree.assembled_positions({}), std::vector<double>(4));
@@ -95,7 +95,7 @@ TEST(DefaultDesired, IsLinksAndUserFramesToAndFromTheBase) {
   EXPECT_EQ(desired.transforms[0].left.name, "fr_base");
   EXPECT_EQ(desired.transforms[0].right.name, "fr_foot");
   EXPECT_EQ(desired.transforms[1].left.name, "fr_foot");
-  ASSERT_EQ(desired.jacobians.size(), 3u);  // leaves foot and arm, then the user frame
+  ASSERT_EQ(desired.jacobians.size(), 3u);  // the leaves foot and arm, then the user frame
   EXPECT_EQ(desired.jacobians[0].right.name, "fr_foot");
   EXPECT_EQ(desired.jacobians[1].right.name, "fr_arm");
   EXPECT_EQ(desired.jacobians[2].right.name, "sole");
@@ -118,7 +118,7 @@ TEST(DefaultDesired, NamesALinkByTheUserFrameOfItsName) {
     if (pair.left.name == "fr_base") targets.push_back(pair.right.name);
   EXPECT_EQ(targets, (std::vector<std::string>{"fr_leg", "fr_arm", "fr_trunk", "sole", "foot"}));
 
-  // Beside the base's frame it is a frame like any other.
+  // Next to the base's frame it is a frame like any other.
   tree.user_frames.back().placement.translation[0] = Quantity(0.5);
   EXPECT_EQ(default_desired(tree).transforms.size(), desired.transforms.size() + 2);
 }

@@ -1,4 +1,4 @@
-// Equal limbs, of trees whose limbs are known by construction.
+// Equal limbs in trees whose limbs are known by construction.
 #include "model/limbs.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::vector<std::string>>;
 
-// A robot from edges `joint: parent link, child link`; links and joints are declared in this order.
+// A robot given by edges (parent link, joint, child link); links and joints are declared in this order.
 struct Edge {
   std::string parent, joint, child;
   JointType type = JointType::revolute;
@@ -36,7 +36,7 @@ KinematicTree robot(const std::vector<Edge>& edges) {
   return *tree;
 }
 
-// base -> `<name>1` -> … -> `<name><length>`, joints `<name>_j1`, …
+// base -> `<name>1` -> … -> `<name><length>`, with joints `<name>_j1`, …
 void add_chain(std::vector<Edge>& edges, const std::string& parent, const std::string& name, int length) {
   std::string from = parent;
   for (int k = 1; k <= length; ++k) {
@@ -94,7 +94,7 @@ TEST(Limbs, WithTheSameCouplingsAreOneClass) {
 }
 
 TEST(Limbs, WithOtherCouplingsAreOthers) {
-  // The third leg's hip follows, the fourth has a factor that folds.
+  // The third leg's hip follows; the fourth leg has a factor that folds.
   const KinematicTree tree =
       legs_with_couplings({coupling(1, 0, 0.5), coupling(3, 2, 0.5), coupling(4, 5, 0.5), coupling(7, 6, 1.0)});
   EXPECT_EQ(groups(tree), (Names{{"lf_j1", "rf_j1"}, {"lf_j2", "rf_j2"}}));
@@ -144,7 +144,7 @@ TEST(Limbs, TypesOfJointsMatter) {
   EXPECT_TRUE(limb_classes(tree).empty());
 }
 
-// Hands whose branches are declared in different order; fingers correspond from hand to hand.
+// The branches of the hands are declared in different orders; fingers correspond from hand to hand.
 TEST(Limbs, BranchesOfALimbArePairedByTheirShape) {
   std::vector<Edge> edges = {{"base", "left", "left_hand"}, {"base", "right", "right_hand"}};
   add_chain(edges, "left_hand", "left_thumb", 1);
@@ -159,7 +159,7 @@ TEST(Limbs, BranchesOfALimbArePairedByTheirShape) {
                                 {"left_finger_j2", "right_finger_j2"}}));
 }
 
-// Random trees, judged by the definition: types, parents and children correspond.
+// Random trees, checked with the definition: types, parents and children correspond.
 TEST(Limbs, OfRandomTreesCorrespond) {
   std::mt19937 random(1);
   const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
@@ -201,7 +201,7 @@ TEST(Limbs, OfRandomTreesCorrespond) {
   EXPECT_GT(found, 100) << "the trees have hardly any limbs";
 }
 
-// Deep trees need no deep call stack.
+// Deep trees do not need a deep call stack.
 TEST(Limbs, OfTwoLongChains) {
   std::vector<Edge> edges;
   for (const char* chain : {"a", "b"}) add_chain(edges, "base", chain, 500);

@@ -35,16 +35,17 @@ TEST(MassProperties, JudgesTheTriangleInequalityRelativeToTheLargestMoment) {
 }
 
 TEST(MassProperties, JudgesMomentsAboutTheCentreOfMass) {
-  // A plate of 0.1, 0.2, 0.3 about its centre, given 2 m away along x: fine about the centre, nothing special here.
+  // A plate with moments 0.1, 0.2, 0.3 about its centre, given about a point 2 m away along x. The moments about the
+  // centre are valid.
   Inertia i = moments(0.1, 0.2 + 4.0, 0.3 + 4.0);
   i.com[0] = number(2.0);
   EXPECT_EQ(codes_of(i), Codes{});
-  // The same numbers about a centre 2.1 m away leave negative moments.
+  // With the centre 2.1 m away, the same numbers give negative moments about it.
   i.com[0] = number(2.1);
   EXPECT_EQ(codes_of(i), Codes{"inertia-not-positive"});
 }
 
-// Moments that look fine hide behind products: principal moments decide.
+// Products of inertia can hide that plausible moments are invalid; the principal moments decide.
 TEST(MassProperties, JudgesPrincipalMoments) {
   const Eigen::Matrix3d R = test::pose({{}, {number(0.3), number(-0.8), number(1.1)}}).rotation();
   const auto rotated = [&](double low, double middle, double high) {

@@ -1,4 +1,4 @@
-// Which joints meet no inertia: the signs and axes of the geometry that decides it.
+// Joints that meet no inertia: the signs and axes of the geometry that decides this.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 using test::number;
 using test::pi;
 
-// Joints that meet no inertia: `a` while the joints beyond it are free, `a!` while they are locked too; `base`.
+// Joints that meet no inertia: `a` while the joints beyond it are free, `a!` while they are locked, too; `base` for the
+// base.
 using Found = std::vector<std::string>;
 
 Found found(const Description& d) {
@@ -36,7 +37,7 @@ Inertia point_mass(double x, double y, double z) {
   return i;
 }
 
-// A massless first link, and a second joint at `place` turned by `quarters` right angles about axis `turn`.
+// A massless first link, and a second joint at `place`, turned by `quarters` right angles about axis `turn`.
 Description elbow(const std::array<double, 3>& place, std::size_t turn, int quarters) {
   Description d = test::two_links();
   d.links[0].inertia.reset();
@@ -45,8 +46,8 @@ Description elbow(const std::array<double, 3>& place, std::size_t turn, int quar
   return d;
 }
 
-// The second axis points along x or y of the first link, or against it. A point mass on it meets the first axis where
-// its distance along the second takes back the offset, and nowhere else.
+// The second axis points along x or y of the first link, or in the opposite direction. A point mass on it lies on the
+// first axis if its distance along the second axis cancels the offset, and only then.
 TEST(SingularInertia, DependsOnTheSidesOfOffsetsAndTurns) {
   for (const std::size_t turn : {std::size_t{0}, std::size_t{1}}) {
     for (const int quarters : {-1, 1}) {
@@ -67,7 +68,7 @@ TEST(SingularInertia, DependsOnTheSidesOfOffsetsAndTurns) {
   }
 }
 
-// A massless link is moved by what accelerates its drive.
+// The inertia of a joint's drive is enough for a massless link.
 TEST(SingularInertia, DrivesAreInertia) {
   Description d = test::two_links();
   d.links[1].inertia.reset();
@@ -77,7 +78,7 @@ TEST(SingularInertia, DrivesAreInertia) {
   d.joints[1].drive.armature = Quantity();
   d.joints[1].drive.rotor = Rotor{number(1e-4), number(10.0)};
   EXPECT_EQ(found(d), Found{});
-  // Of the other joint it does not help.
+  // The drive of the other joint does not help.
   std::swap(d.joints[0].drive, d.joints[1].drive);
   EXPECT_EQ(found(d), Found{"b!"});
 }
@@ -93,7 +94,8 @@ TEST(SingularInertia, DrivesAloneMakeDynamics) {
   EXPECT_FALSE(tree->inertia_defects.is_singular());
 }
 
-// A point mass off the second axis circles about it: wherever that is, the first axis feels it, unless both are one.
+// A point mass off the second axis circles about it. The first axis meets its inertia wherever it is, unless both axes
+// are one.
 TEST(SingularInertia, IsOfTheFirstJointWhereBothAxesAreOne) {
   for (const int quarters : {0, 1, 2, 3}) {
     SCOPED_TRACE(quarters);
@@ -105,13 +107,13 @@ TEST(SingularInertia, IsOfTheFirstJointWhereBothAxesAreOne) {
   }
 }
 
-// Two thin rods on one line have no inertia about it; products of inertia say on which diagonal the first one lies.
+// Two thin rods on one line have no inertia about it; the products of inertia say on which diagonal the first one lies.
 TEST(SingularInertia, FollowsTheProductsOfInertia) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const int side : {-1, 1}) {
       for (const int eighths : {-1, 1}) {
         SCOPED_TRACE(testing::Message() << axis << " " << side << " " << eighths);
-        // The base: along the diagonal of two axes, the later one turned over for side -1.
+        // The base lies along the diagonal of two axes, of which the second is reversed for side -1.
         const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
         std::array<double, 3> u = {0.0, 0.0, 0.0};
         u[j] = 1.0, u[k] = side;
@@ -124,7 +126,7 @@ TEST(SingularInertia, FollowsTheProductsOfInertia) {
         d.links = {test::link("one")};
         d.links[0].inertia = test::ball(1.0, 0.0);
         d.links[0].inertia->ixx = d.links[0].inertia->iyy = number(0.2);
-        // The other slides along itself. Turning z about x by an angle gives (0, -sin, cos), about y (sin, 0, cos).
+        // The other rod slides along itself. Turning z by an angle about x gives (0, -sin, cos), about y (sin, 0, cos).
         d.joints = {test::joint("a", JointType::prismatic)};
         std::array<Quantity, 3>& rotation = d.joints[0].placement.rotation;
         bool in_line = false;
@@ -135,7 +137,7 @@ TEST(SingularInertia, FollowsTheProductsOfInertia) {
           rotation[1] = pi(eighths, 4);
           in_line = side == eighths;
         } else {
-          rotation[0] = pi(eighths, 2), rotation[1] = pi(1, 4);  // z to (1, -sin of the first, 0)
+          rotation[0] = pi(eighths, 2), rotation[1] = pi(1, 4);  // maps z to (1, -sin of the first, 0)
           in_line = side == -eighths;
         }
         EXPECT_EQ(found(d), in_line ? Found{"base"} : Found{});
@@ -144,7 +146,7 @@ TEST(SingularInertia, FollowsTheProductsOfInertia) {
   }
 }
 
-// Sliding meets mass, turning meets inertia, each along or about the joint's own axis.
+// A sliding joint meets mass and a turning joint meets inertia, each along or about its own axis.
 TEST(SingularInertia, IsThatOfTheJointsOwnMotion) {
   Description d = test::two_links();
   d.links[1].inertia = Inertia();
@@ -156,7 +158,7 @@ TEST(SingularInertia, IsThatOfTheJointsOwnMotion) {
   d.links[1].inertia->ixx = d.links[1].inertia->iyy = number(0.1);
   d.joints[1].type = JointType::revolute;
   EXPECT_EQ(found(d), Found{"b!"});
-  // Sliding along one line one after the other: the first meets nothing while the second is free.
+  // Two slides in the same direction: the first meets no inertia while the second is free.
   d = elbow({0.3, -0.2, 0.1}, 0, 2);
   for (DescribedJoint& joint : d.joints) joint.type = JointType::prismatic;
   EXPECT_EQ(found(d), Found{"a"});
@@ -192,7 +194,7 @@ class RandomRobots {
       d.links.push_back(test::massless("l" + name));
       d.links.back().inertia = inertia();
       Placement placement;
-      // Right angles and halves of them, so that axes meet; turning about one axis most of all.
+      // Right angles and half right angles, so that axes coincide or meet; most placements turn about one axis only.
       placement.rotation[static_cast<std::size_t>(pick(3))] = pi(pick(8) - 3, 4);
       if (pick(3) == 0) placement.rotation[static_cast<std::size_t>(pick(3))] = pi(pick(4) - 1, 2);
       for (Quantity& length : placement.translation) length = number(pick(2) == 0 ? 0.0 : pick(3) - 1.0);
@@ -218,7 +220,7 @@ class RandomRobots {
 
   int pick(int below) { return static_cast<int>(engine_() % static_cast<unsigned>(below)); }
 
-  // None, a point, a thin rod on an axis or a diagonal, or a ball.
+  // Returns no inertia, a point mass, a thin rod along an axis or a diagonal, or a ball.
   std::optional<Inertia> inertia() {
     switch (pick(5)) {
       case 0:
@@ -230,7 +232,7 @@ class RandomRobots {
         std::array<double, 3> u = {0.0, 0.0, 0.0};
         u[static_cast<std::size_t>(pick(3))] = 1.0;
         u[static_cast<std::size_t>(pick(3))] = pick(2) == 0 ? 1.0 : -1.0;
-        Inertia rod = point_mass(u[0], u[1], u[2]);  // two halves, one on either side
+        Inertia rod = point_mass(u[0], u[1], u[2]);  // two halves, one on each side
         rod.com = {};
         return rod;
       }
@@ -240,7 +242,7 @@ class RandomRobots {
   }
 };
 
-// H in several positions: a matrix that is singular in all of them is singular in every position.
+// H in several positions: if it is singular in all of them, it is singular in every position.
 using Matrices = std::vector<Eigen::MatrixXd>;
 
 int nullity(const Matrices& matrices, const std::vector<int>& rows) {
@@ -253,7 +255,7 @@ int nullity(const Matrices& matrices, const std::vector<int>& rows) {
   return least;
 }
 
-// The motion of a joint meets no inertia where it adds a direction without any to those of the joints beyond it.
+// A joint meets no inertia if its motion adds a direction without inertia to the motions of the joints beyond it.
 Found expected(const RandomRobot& r, const Matrices& H) {
   const int n = static_cast<int>(r.parents.size()), base = r.description.floating_base ? 6 : 0;
   Found result;
@@ -295,7 +297,7 @@ TEST(SingularInertia, IsThatOfTheRanksOfPartsOfTheMatrixOnRandomRobots) {
         std::any_of(wanted.begin(), wanted.end(), [](const std::string& s) { return s[0] == 'j' && s.back() != '!'; });
     whole += !wanted.empty() && wanted.back() == "base";
   }
-  // Each answer must occur often for the comparison to mean anything.
+  // Each outcome must be frequent for the comparison to mean anything.
   EXPECT_GT(singular, kRounds / 5);
   EXPECT_LT(singular, kRounds * 9 / 10);
   EXPECT_GT(free, kRounds / 100);

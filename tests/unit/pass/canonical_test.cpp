@@ -1,4 +1,4 @@
-// The canonical form: text in, text out. The folding rules themselves are tested where they are made, in symbolic.
+// The canonical form: text in, text out. The tests in symbolic cover the folding rules themselves.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -62,7 +62,7 @@ TEST(Canonical, MergesEqualStatements) {
       "return out -z_neg\n");
 }
 
-// A cosine of an angle that cancels is the constant one, whichever statement has the zero.
+// The cosine of an angle that cancels is the constant one, whichever statement gives the zero.
 TEST(Canonical, OfWhatCancels) {
   EXPECT_EQ(
       canonical_text(test::head(2) + "in 0\nlet x = a[0] - a[0]\nlet c = cos x\nlet s = sin x\nreturn out c s\n"),
@@ -72,7 +72,8 @@ TEST(Canonical, OfWhatCancels) {
       "return out 1.0 0.0\n");
 }
 
-// A second run finds nothing more. (It may turn `x * y` into `y * x`: whichever operand was made first stands first.)
+// A second run finds nothing more. (It may change `x * y` to `y * x`, because the operand that was made first comes
+// first.)
 TEST(Canonical, IsIdempotent) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     const symbolic::Program once = canonical(test::RandomPrograms(seed).make()), twice = canonical(once);

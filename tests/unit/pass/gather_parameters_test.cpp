@@ -1,4 +1,4 @@
-// Text in, text out: values that depend on parameters only fold like constants.
+// Text in, text out: values that depend only on parameters fold like constants.
 #include "pass/gather_parameters.h"
 
 #include "symbolic/count.h"
@@ -19,7 +19,7 @@ symbolic::Program parametric(const std::string& statements) {
       statements);
 }
 
-// The statements alone.
+// Returns the statements only.
 std::string gathered(const std::string& statements) {
   const std::string text = symbolic::print(gather_parameters(parametric(statements)));
   return text.substr(text.find("in 0\n") + 5);

@@ -1,4 +1,4 @@
-// What is planned for lanes: which values limbs compute together, and in which order.
+// The plan for lanes: which values the limbs compute together, and in which order.
 #include "pass/lanes/lane_plan.h"
 
 #include <set>
@@ -18,13 +18,13 @@ LanePlan plan_of(const Program& program) {
   return plan.value_or(LanePlan());
 }
 
-// How many packed values are of a kind.
+// Counts the packed values of a kind.
 int count(const LanePlan& plan, Kind kind) {
   return static_cast<int>(std::count_if(
       plan.packed_values.begin(), plan.packed_values.end(), [&](const PackedValue& w) { return w.kind == kind; }));
 }
 
-// Operands stand before users, and everything is there once.
+// Operands come before their users, and everything occurs once.
 void expect_sound(const Program& program, const LanePlan& plan) {
   std::set<int> known;
   const auto expect_known = [&](int node, int user) { EXPECT_TRUE(known.contains(node)) << node << " of " << user; };
@@ -73,7 +73,7 @@ TEST(LanePlans, LimbsComputeTogether) {
   }
 }
 
-// The trunk's value is the same for both.
+// The value of the trunk is the same for both limbs.
 TEST(LanePlans, WhatLimbsShareIsScalar) {
   const Program p = limbs_program("tmp t = a[4] * a[5]\ntmp L_a = a[0] * t\ntmp R_a = a[2] * t\n", "L_a R_a", 2);
   const LanePlan plan = plan_of(p);
@@ -83,7 +83,7 @@ TEST(LanePlans, WhatLimbsShareIsScalar) {
   EXPECT_EQ(plan.scalars[0].packed_value, -1);
 }
 
-// Terms of either limb in a sum of the trunk: the lanes are added up there.
+// Terms of both limbs in a sum of the trunk: the lanes are summed there.
 TEST(LanePlans, ASumOverLimbsIsASumOfLanes) {
   const Program p =
       limbs_program("tmp L_a = a[0] * a[1]\ntmp R_a = a[2] * a[3]\ntmp s0 = L_a - R_a\ntmp s1 = s0 + a[4]\n", "s1", 1);
@@ -110,7 +110,7 @@ TEST(LanePlans, SignsOfLanesAreFlips) {
   EXPECT_EQ(root.parts[0].flips ^ root.parts[1].flips, 0b10U);
 }
 
-// A limb with fewer terms adds zeros.
+// A limb with fewer terms is filled up with zeros.
 TEST(LanePlans, ShorterLimbsAreFilledUp) {
   const Program p = limbs_program(
       "tmp L_a = a[0] * a[1]\ntmp R_a = a[2] * a[3]\ntmp L_b = L_a + a[0]\ntmp R_b = R_a + a[2]\n"
@@ -124,7 +124,7 @@ TEST(LanePlans, ShorterLimbsAreFilledUp) {
   EXPECT_TRUE(std::any_of(plan.packed_values.begin(), plan.packed_values.end(), with_zero));
 }
 
-// Sine before cosine in one limb, after it in the other: neither pair can be the first.
+// The sine comes before the cosine in one limb and after it in the other, so neither pair can come first.
 TEST(LanePlans, ValuesThatWaitForEachOtherHaveNone) {
   const Program p = limbs_program(
       "tmp L_a = sin a[0]\ntmp L_b = cos L_a\ntmp R_b = cos a[2]\ntmp R_a = sin R_b\n", "L_a L_b R_a R_b", 4);

@@ -1,4 +1,4 @@
-// Programs with lanes, made of plans: the same results by fewer statements.
+// Programs with lanes, built from plans, give the same results with fewer statements.
 #include "pass/lanes/lane_program.h"
 
 #include "pass/lanes/plan_signs.h"
@@ -46,13 +46,13 @@ TEST(LanePrograms, HaveOneStatementForBothLimbs) {
   EXPECT_EQ(count(lanes, Op::multiply, 2), 1);
   EXPECT_EQ(count(lanes, Op::sine, 2), 1);
   EXPECT_EQ(count(lanes, Op::multiply, 1) + count(lanes, Op::sine, 1), 0);
-  // The output reads the lanes.
+  // The output reads the lanes directly.
   ASSERT_EQ(lanes.outputs[0].values.size(), 2U);
   EXPECT_EQ(lanes.outputs[0].values[0].lane, 0);
   EXPECT_EQ(lanes.outputs[0].values[1].lane, 1);
 }
 
-// Numbers are a vector where they differ, and a scalar where they do not.
+// Numbers become a vector if they differ, and a scalar if they do not.
 TEST(LanePrograms, HaveVectorsOfNumbers) {
   const auto gathers_of_numbers = [](const Program& p) {
     return std::count_if(p.statements.begin(), p.statements.end(), [](const symbolic::Statement& s) {

@@ -1,4 +1,4 @@
-// Which lanes are negated: vectors over the field of two elements, up to a sign of the whole.
+// Signs of lanes: vectors over the field of two elements, up to a common sign.
 #include "pass/lanes/lane_signs.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(LaneSigns, ThatNobodyChoseArePlain) {
   EXPECT_EQ(signs.value(signs.product(x, signs.fixed(0b0100))), 0b0100u);
 }
 
-// x + (negated in lanes 1 and 2) y, with x given: y is kept negated there.
+// x + (y negated in lanes 1 and 2), with x given: y is kept with the signs with which both terms agree.
 TEST(LaneSigns, AreChosenSoThatTermsAgree) {
   Signs signs(4);
   const Sign x = signs.fixed(0b1000), y = signs.variable(true), term = signs.product(y, signs.fixed(0b0110));
@@ -60,13 +60,13 @@ TEST(LaneSigns, ThatAreChosenStay) {
   Signs signs(4);
   const Sign x = signs.variable(true);
   signs.make_plain(signs.product(x, signs.fixed(0b0010)));
-  signs.make_plain(signs.product(x, signs.fixed(0b0100)));  // comes too late
+  signs.make_plain(signs.product(x, signs.fixed(0b0100)));  // too late, because x is chosen
   EXPECT_EQ(signs.value(x), 0b0010u);
   signs.make_plain(signs.fixed(0b0100));  // nothing to choose
   EXPECT_EQ(signs.value(signs.fixed(0b0100)), 0b0100u);
 }
 
-// A value that was made plain stays plain, and the value of a product is that of its factors.
+// A value that was made plain stays plain, and the value of a product is the product of its factors' values.
 TEST(LaneSigns, SolveLinearEquations) {
   constexpr int kVariables = 12, kEquations = 15;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -84,7 +84,7 @@ TEST(LaneSigns, SolveLinearEquations) {
       const unsigned before = signs.value(sign);
       signs.make_plain(sign);
       if (signs.value(sign) != 0) {
-        // No variable was left in it: it has the value that it had.
+        // No variable was left to choose, so the value is unchanged.
         EXPECT_EQ(signs.value(sign), before) << "seed " << seed;
         continue;
       }

@@ -1,4 +1,4 @@
-// Equal limbs of small programs in lanes.
+// Small programs with equal limbs, in lanes.
 #include "pass/lanes/pack_lanes.h"
 
 #include <functional>
@@ -13,7 +13,7 @@ using symbolic::Op;
 using symbolic::Program;
 using symbolic::Statement;
 
-// Two limbs of two joints on a trunk of two.
+// Two limbs with two joints each, on a trunk with two joints.
 Program with(const std::string& statements, const std::string& returns, int outputs) {
   return test::program(
       "program test\n"
@@ -48,7 +48,7 @@ TEST(PackLanes, OneStatementServesAllLimbs) {
   EXPECT_EQ(std::pair(c.mul, c.add), std::pair(1, 1));
 }
 
-// What a trunk adds is ready long before what its limbs add up to, that then waits for one addition only.
+// The trunk's terms are ready long before the limbs' sum, after which only one addition remains.
 TEST(PackLanes, ASumOfLanesComesLast) {
   const Program program = with(
       "tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\ntmp L_b = L_a * q[0]\ntmp R_b = R_a * q[2]\n"
@@ -57,7 +57,7 @@ TEST(PackLanes, ASumOfLanesComesLast) {
       "s3", 1);
   const Program lanes = packed(program, kLegs);
   ASSERT_TRUE(lanes.has_lanes());
-  constexpr double kRounding = 1e-15;  // a few additions of numbers below 3, in another order
+  constexpr double kRounding = 1e-15;  // a few additions of numbers below 3, in a different order
   EXPECT_NEAR(run(lanes)[0], run(program)[0], kRounding);
   const Statement& last = lanes.statements.back();
   ASSERT_TRUE(is_sum(last.op));
@@ -67,7 +67,7 @@ TEST(PackLanes, ASumOfLanesComesLast) {
   EXPECT_TRUE(is_sum_of_lanes(last.a) || is_sum_of_lanes(last.b)) << symbolic::print(lanes);
 }
 
-// Signs of single operands, in one limb or in both: of factors, dividends, divisors, angles.
+// Signs of single operands, in one limb or in both: factors, dividends, divisors, angles.
 TEST(PackLanes, OperandsKeepTheirSigns) {
   const Program program = with(
       "tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * -q[3]\ntmp L_b = -L_a * q[0]\ntmp R_b = R_a * -q[2]\n"
@@ -80,7 +80,8 @@ TEST(PackLanes, OperandsKeepTheirSigns) {
   EXPECT_EQ(run(lanes), run(program)) << symbolic::print(lanes);
 }
 
-// Numbers take up signs: a plus in one limb is a minus in the other, and no instruction changes a lane's sign.
+// A plus in one limb is a minus in the other: the numbers absorb the signs, and no instruction changes the sign of a
+// lane.
 TEST(PackLanes, NumbersTakeTheSignsOfMirroredLimbs) {
   const Program program =
       with("tmp L_a = q[0] * 0.5\ntmp R_a = q[2] * 0.5\ntmp L_b = q[1] + L_a\ntmp R_b = q[3] - R_a\n", "L_b R_b", 2);
@@ -94,7 +95,7 @@ TEST(PackLanes, NumbersTakeTheSignsOfMirroredLimbs) {
   EXPECT_TRUE(has_signs);
 }
 
-// Where no number is at hand, a product with ones and minus ones does it.
+// If there is no number, a product with ones and minus ones changes the signs.
 TEST(PackLanes, ElseAProductTurnsSigns) {
   const Program program =
       with("tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\ntmp L_b = q[1] + L_a\ntmp R_b = q[3] - R_a\n", "L_b R_b", 2);
@@ -103,7 +104,7 @@ TEST(PackLanes, ElseAProductTurnsSigns) {
   EXPECT_EQ(symbolic::count(lanes).mul, 2);
 }
 
-// The trunk is computed as before.
+// The trunk is computed as without lanes.
 TEST(PackLanes, WhatNoLimbEntersKeepsItsOperations) {
   const std::string legs = "tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\n";
   const Program alone = with(kTrunk, "t2 t3", 2), both = with(legs + kTrunk, "L_a R_a t2 t3", 4);
@@ -122,7 +123,7 @@ TEST(PackLanes, NoLimbsNoLanes) {
   EXPECT_EQ(symbolic::print(result.program), symbolic::print(program));
 }
 
-// One product costs more to bring into lanes than it saves.
+// Bringing one product into lanes costs more than it saves.
 TEST(PackLanes, WhatGainsNothingStays) {
   const Program program = with("tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\n", "L_a R_a", 2);
   const Packed result = pack_lanes(program, kLegs);
@@ -130,7 +131,7 @@ TEST(PackLanes, WhatGainsNothingStays) {
   EXPECT_EQ(symbolic::print(result.program), symbolic::print(program));
 }
 
-// Many factors in each limb: lanes are faster. Programs in lanes are not packed again.
+// With many factors in each limb, lanes are faster. Programs in lanes are not packed again.
 TEST(PackLanes, IsIdempotent) {
   constexpr int kFactors = 32;
   std::string statements;

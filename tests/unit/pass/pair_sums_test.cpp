@@ -1,4 +1,4 @@
-// Sums of lanes two by two: the order changes, and nothing else.
+// Sums of lanes in pairs: only the order of statements changes.
 #include "pass/pair_sums.h"
 
 #include "symbolic/programs.h"
@@ -12,7 +12,7 @@ Program with(const std::string& statements, const std::string& returns, int outp
   return test::small_program("in 0\n" + statements + "return out " + returns + "\n", outputs);
 }
 
-// The names in their order. Those of sums of lanes are capitals.
+// The names in their order; capitals name sums of lanes.
 std::string order(const Program& program) {
   std::string result;
   for (const symbolic::Statement& s : program.statements) result += (result.empty() ? "" : " ") + s.name;
@@ -56,7 +56,7 @@ TEST(PairSums, OneThatNeedsAnotherIsNotItsPartner) {
       "x z F H y G");
 }
 
-// Four lanes and two are not added up by the same instructions.
+// Sums of four lanes and of two lanes take different instructions.
 TEST(PairSums, PartnersHaveTheSameNumberOfLanes) {
   expect_order(
       with(

@@ -1,4 +1,4 @@
-// With which signs the values of lanes are kept: for plans written down, and for mirrored limbs at random.
+// The signs with which the values of lanes are kept: for plans written by hand, and for random mirrored limbs.
 #include "pass/lanes/plan_signs.h"
 
 #include "pass/lanes/lane_program.h"
@@ -12,7 +12,7 @@ using namespace test;
 using Kind = PackedValue::Kind;
 using symbolic::Op;
 
-// A plan of values in two lanes, each with what it is made of.
+// A plan of values in two lanes, each built from its parts.
 class PlanOf {
  public:
   int leaf(Kind kind = Kind::gather) { return add(kind, Op::add, {}); }
@@ -39,16 +39,16 @@ class PlanOf {
 
 constexpr unsigned kSecond = 0b10;
 
-// Up to a sign of the whole, which costs nothing.
+// Removes a common sign of both lanes, which costs nothing.
 unsigned in_second_lane(unsigned signs) {
   return signs & 1U ? signs ^ 0b11U : signs;
 }
 
-// k * x + y in one limb, k * x - y in the other: the number takes the sign.
+// k * x + y in one limb, k * x - y in the other: the number absorbs the sign.
 TEST(PlanSigns, NumbersTakeThem) {
   PlanOf plan;
   const int x = plan.leaf(), y = plan.leaf(), k = plan.leaf(Kind::numbers);
-  const int square = plan.make(Op::multiply, {{y}, {y}});  // has no sign to choose
+  const int square = plan.make(Op::multiply, {{y}, {y}});  // its sign is not free
   const int product = plan.make(Op::multiply, {{x}, {k}});
   plan.make(Op::add, {{square}, {product, kSecond}});
   const std::vector<unsigned> signs = plan.signs();
@@ -56,13 +56,13 @@ TEST(PlanSigns, NumbersTakeThem) {
   EXPECT_EQ(in_second_lane(signs[static_cast<std::size_t>(square)]), 0U);
 }
 
-// Where no number is at hand, an input does: it is brought into lanes anyway.
+// If there is no number, an input absorbs the sign, because it is brought into lanes anyway.
 TEST(PlanSigns, ElseInputsTakeThem) {
   PlanOf plan;
   const int x = plan.leaf(), y = plan.leaf();
   const int sum = plan.make(Op::add, {{x}, {y, kSecond}});
   const std::vector<unsigned> signs = plan.signs();
-  // The terms have the same signs in the sum, which has them too.
+  // Both terms have the same signs in the sum, and the sum has them, too.
   const auto of = [&](int w) { return signs[static_cast<std::size_t>(w)]; };
   EXPECT_EQ(in_second_lane(of(x) ^ of(y)), kSecond);
   EXPECT_EQ(in_second_lane(of(sum) ^ of(x)), 0U);
@@ -76,7 +76,7 @@ TEST(PlanSigns, OfProductsAreThoseOfTheFactors) {
   const std::vector<unsigned> signs = plan.signs();
   const auto of = [&](int w) { return signs[static_cast<std::size_t>(w)]; };
   EXPECT_EQ(in_second_lane(of(product) ^ of(x) ^ of(y)), kSecond);
-  EXPECT_EQ(in_second_lane(of(sine)), in_second_lane(of(product)));  // an odd function
+  EXPECT_EQ(in_second_lane(of(sine)), in_second_lane(of(product)));  // sine is an odd function
 }
 
 TEST(PlanSigns, RadicandsHaveNone) {
@@ -95,8 +95,8 @@ TEST(PlanSigns, OutputsGetTheirOwn) {
   EXPECT_EQ(in_second_lane(plan.signs()[static_cast<std::size_t>(product)]), kSecond);
 }
 
-// Sums and products alone can be computed with any signs. What is planned for mirrored limbs is cheaper than to turn
-// every sign where it stands: not always, since each choice is made once, but on the whole.
+// Sums and products can be computed with any signs. For mirrored limbs, the planned signs cost less on the whole than
+// changing each sign where it occurs; not always, because each choice is made once.
 TEST(PlanSigns, SaveChanges) {
   int planned = 0, unplanned = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {

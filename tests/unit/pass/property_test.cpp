@@ -1,4 +1,4 @@
-// Every choice of passes has the results of the program without passes.
+// Every selection of passes gives the results of the program without passes.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -39,7 +39,7 @@ TEST(PassProperty, ResultsStayTheSame) {
   }
 }
 
-// Passes that only move and remove statements do not even change the rounding.
+// Passes that only move and remove statements do not even change rounding.
 TEST(PassProperty, PassesOnStatementsChangeNoBit) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     test::RandomPrograms random(seed);
@@ -60,7 +60,7 @@ TEST(PassProperty, RunsAreIdentical) {
   }
 }
 
-// The work of every pass grows with the program, not with its square, and its depth does not matter.
+// The work of every pass is linear in the program's length, and its depth does not matter.
 TEST(PassProperty, LongChainsPass) {
   std::string statements = "in 0\ntmp s0 = a[0] + a[1]\n";
   constexpr int kLength = 20000;

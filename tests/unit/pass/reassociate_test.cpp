@@ -1,4 +1,4 @@
-// Reassociation: text in, text out, and that sums fuse.
+// Reassociation: text in, text out; sums fuse with products.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -21,7 +21,7 @@ int instructions(const Program& p) {
   return symbolic::count(p).instructions;
 }
 
-// x + (m + n): the inner sum swallows one product, the outer none. (x + m) + n swallows both.
+// x + (m + n): the inner sum fuses with one product, the outer sum with none. (x + m) + n fuses with both.
 TEST(Reassociate, BeginsAChainWithATermThatIsNoProduct) {
   const std::string statements =
       "in 0\n"
@@ -69,7 +69,8 @@ TEST(Reassociate, ANamedSumIsNotTakenApart) {
   EXPECT_EQ(reassociated(statements), statements);
 }
 
-// A product enters a sum with its factors, so it comes before a sum that is known when the product would be.
+// A product is fused into a sum when its factors are ready, so it goes before a sum that is ready only when the product
+// would be.
 TEST(Reassociate, AProductIsReadyWithItsFactors) {
   const Program before = test::small_program(
       "in 0\n"
@@ -94,7 +95,7 @@ TEST(Reassociate, ASumThatIsReadTwiceIsNotTakenApart) {
   EXPECT_EQ(reassociated(statements, 2), statements);
 }
 
-// A balanced sum of many terms that are ready at once, in a program that has nothing else to do, stays as it was: the
+// A balanced sum of many terms that are ready at once, in a program that has nothing else to do, stays unchanged: a
 // chain would be several times as long.
 TEST(Reassociate, KeepsASumWhoseChainWouldBeLate) {
   std::string statements = "in 0\n";
@@ -110,7 +111,7 @@ TEST(Reassociate, KeepsASumWhoseChainWouldBeLate) {
   EXPECT_LE(symbolic::count(after).critical_path, symbolic::count(before).critical_path);
 }
 
-// The purpose of reassociation: never more instructions, and fewer where a sum of products was grouped badly.
+// The purpose of reassociation: never more instructions, and fewer if a sum of products was badly grouped.
 TEST(Reassociate, NeverAddsInstructions) {
   int fewer = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

@@ -1,5 +1,5 @@
-// Programs that read sines and cosines of joint angles take them as inputs, and those of sums follow from those of
-// joints.
+// Programs that read sines and cosines of joint angles take them as inputs; sines and cosines of sums are computed from
+// those of joints.
 #include "pass/split_angles.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ const std::vector<Position> kJoints = {{"slide"}, {"hip"}, {"knee"}};
 const std::vector<double> kPositions = {0.3, 1.1, -0.7};
 const std::vector<double> kSpeeds = {0.5, 2.0, -1.5};
 
-// p: an angle and a length; q: three joints; v: variables behind them.
+// p: an angle and a length; q: three joint positions; v: joint velocities.
 Program with(const std::string& statements, const std::string& returns) {
   return test::program(
       "program test\n"
@@ -36,7 +36,7 @@ std::vector<double> run(const Program& program, const Arrays<double>& inputs, co
   return symbolic::interpret<double>(program, inputs).at(output);
 }
 
-// Sines and cosines of all angles, computed from these.
+// Sines and cosines of all angles: computed from the angles, or by addition theorems from those of joints.
 struct Trigonometry {
   std::vector<double> sine, cosine;
 };
@@ -67,8 +67,8 @@ std::vector<double> run_whole(const Program& program) {
   return run(program, {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}}, "out");
 }
 
-// The core gives the same to the last bit for the sines and cosines that the program computes, and nearly the same for
-// those from the addition theorems.
+// With the sines and cosines that the program computes, the core gives the same result to the last bit; with those from
+// addition theorems, nearly the same.
 void expect_same(const Program& program, const SplitAngles& split) {
   const std::vector<double> expected = run_whole(program);
   EXPECT_EQ(run_core(split, computed(split)), expected);
@@ -92,7 +92,7 @@ TEST(SplitAngles, TakesSinesOfJoints) {
   expect_same(program, split);
 }
 
-// Signs of angles turn sines, and sums of joints and constants are angles of their own.
+// The sign of an angle changes the sign of its sine; sums of joints and constants are angles of their own.
 TEST(SplitAngles, AddsTheoremsForSums) {
   const Program program = with(
       "tmp sum = q[1] - q[2]\ntmp turned = sum + 0.25\ntmp right = q[2] + pi:1:2\n"
@@ -109,7 +109,7 @@ TEST(SplitAngles, AddsTheoremsForSums) {
   expect_same(program, split);
 }
 
-// A right angle costs nothing; two joints four products and two sums, and as much for any other constant.
+// A right angle costs nothing; two joints, or a joint and any other constant, cost four products and two sums.
 TEST(SplitAngles, CountsOfTheorems) {
   const auto count_of = [](const std::string& sum) {
     const Program program = with("tmp a = " + sum + "\ntmp s = sin a\n", "s s");
@@ -130,7 +130,7 @@ TEST(SplitAngles, SumsMayHoldParameters) {
   expect_same(program, split);
 }
 
-// The same angle of two programs has one number.
+// An angle that two programs share has one number.
 TEST(SplitAngles, ProgramsShareAngles) {
   const Program first = with("tmp a = q[1] + q[2]\ntmp s = sin a\n", "s s");
   const Program second = with("tmp a = q[2] + q[1]\ntmp b = q[0] + q[1]\ntmp s = cos a\ntmp t = sin b\n", "s t");
@@ -140,7 +140,7 @@ TEST(SplitAngles, ProgramsShareAngles) {
   EXPECT_EQ(split.parts[0]->core.inputs[2].elements.size(), 5u);
 }
 
-// Angles without a theorem are kept: angles of other inputs, products of positions, sines of parameters alone.
+// Angles that no theorem covers stay: angles of other inputs, products of positions, sines of parameters alone.
 TEST(SplitAngles, LeavesTheRest) {
   const Program others = with("tmp s = sin v[1]\ntmp c = cos p[0]\n", "s c");
   EXPECT_FALSE(split_angles({{others}}, kJoints).parts[0]);
@@ -151,7 +151,7 @@ TEST(SplitAngles, LeavesTheRest) {
   expect_same(twice, split);
 }
 
-// A coupled joint may turn by the position of one that slides, whose sine is not given.
+// A coupled joint may turn with the position of a sliding joint, whose sine is not given.
 TEST(SplitAngles, LeavesWhatTurnsByASlide) {
   const Program turns = with("tmp s = sin q[0]\ntmp c = cos q[1]\n", "s c");
   const SplitAngles split = split_angles({{turns}}, {{"slide", false}, {"hip"}, {"knee"}});
@@ -159,7 +159,7 @@ TEST(SplitAngles, LeavesWhatTurnsByASlide) {
   expect_same(turns, split);
 }
 
-// In lanes: a vector of sines in the program is gathered from given ones, and a lane of it is one of them.
+// In lanes, a vector of sines is gathered from the given ones, and one of its lanes is one of them.
 TEST(SplitAngles, LanesAreGathered) {
   const Program program =
       with("tmp s1 = sin q[1]\ntmp s2 = sin q[2]\ntmp x = s1 * v[1]\ntmp y = s2 * v[2]\ntmp z = x + s2\n", "z y");
@@ -182,7 +182,7 @@ TEST(SplitAngles, LanesAreGathered) {
   expect_same(program, split);
 }
 
-// Sums are made lane by lane: each lane is the angle that it is elsewhere, with a sign where it is turned.
+// Sums are resolved lane by lane: each lane is an angle as elsewhere, with a sign if it is negated.
 TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
   const Program program = with(
       "tmp a = q[1] + 0.25\ntmp b = q[2] - 0.25\ntmp s = sin a\ntmp t = sin b\ntmp c = cos b\ntmp x = t + c\n", "s x");
@@ -202,7 +202,7 @@ TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
   EXPECT_EQ(found, run_core(split, all));
 }
 
-// A lane that no theorem reaches keeps them all.
+// If no theorem covers one lane, all lanes stay.
 TEST(SplitAngles, LanesStayTogether) {
   const Program program = with("tmp s = sin v[1]\ntmp t = sin q[1]\n", "s t");
   const Program in_lanes = with("tmp a = gather v[1] q[1]\ntmp s = sin a\n", "s@0 s@1");

@@ -1,4 +1,4 @@
-// What follows from parameters alone is computed apart; what is left reads it from the cache.
+// Values that depend only on parameters are computed separately; the rest of the program reads them from the cache.
 #include "pass/split_parameters.h"
 
 #include "symbolic/count.h"
@@ -52,7 +52,7 @@ TEST(SplitParameters, LeavesWhatVariablesNeed) {
   EXPECT_EQ(symbolic::count(split.programs[0]).mul, 1);
   EXPECT_EQ(symbolic::count(split.programs[0]).add, 1);
   EXPECT_EQ(symbolic::count(split.programs[0]).sincos, 0);
-  // In the cache: the length itself; nothing of masses alone; the torque and the turned torque.
+  // The cache contains the length itself, nothing that depends only on masses, the torque and the turned torque.
   EXPECT_EQ(split.kinematics.outputs[0].rows, 1);
   EXPECT_EQ(split.dynamics.outputs[0].rows, 0);
   EXPECT_EQ(split.both.outputs[0].rows, 2);
@@ -75,12 +75,12 @@ TEST(SplitParameters, SharesTheCacheAmongPrograms) {
   const Program first = parametric(kPendulum);
   const Program second = parametric("let t = p[2] * p[0]\ntmp z = t * a[1]\nreturn out z p[1]\n");
   const SplitPrograms split = split_parameters({first, second}, kInterfaces);
-  // The second one adds the angle; the product of length and mass is there already.
+  // The second program adds the angle; the product of length and mass is already there.
   EXPECT_EQ(split.programs[1].inputs[0].elements, split.programs[0].inputs[0].elements);
   EXPECT_EQ(split.programs[0].inputs[0].elements, (std::vector<std::string>{"length", "angle", "turned", "torque"}));
 }
 
-// What depends on a parameter of both interfaces is computed with either update.
+// A value that depends on a parameter of both interfaces is computed by both updates.
 TEST(SplitParameters, ComputesWithBothUpdatesWhatBothRead) {
   const Program program = parametric(kPendulum);
   const SplitPrograms split = split_parameters({program}, {{true, true}, {true, false}, {false, true}});

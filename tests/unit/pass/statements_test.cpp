@@ -1,4 +1,4 @@
-// What drops and moves statements: text in, text out.
+// Passes that remove and move statements: text in, text out.
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
@@ -96,7 +96,7 @@ TEST(Sink, NamedStatementsOutputsAndDeadOnesStay) {
   EXPECT_EQ(after(sink, statements, 2), statements);
 }
 
-// The earliest reader decides, also where it has moved itself.
+// The earliest reader decides, even if it has been moved itself.
 TEST(Sink, StopsAtTheEarliestReader) {
   EXPECT_EQ(
       after(

@@ -1,4 +1,4 @@
-// Programs of a trunk with two limbs, written down or made at random.
+// Programs of a trunk with two limbs, written by hand or random.
 #pragma once
 
 #include <random>
@@ -14,7 +14,7 @@ using robcogen::test::program;
 using symbolic::Operand;
 using symbolic::Program;
 
-// Two limbs of two joints on a trunk of two. `returns` are the elements of the output.
+// Two limbs with two joints each, on a trunk with two joints. `returns` lists the elements of the output.
 inline Program limbs_program(const std::string& statements, const std::string& returns, int outputs) {
   return program(
       "program test\n"
@@ -28,7 +28,7 @@ inline Program limbs_program(const std::string& statements, const std::string& r
 }
 inline const std::vector<InputTuples> kLimbs = {{{0, 2}, {1, 3}}};
 
-// The zero that limbs of different length are filled up with: the constant behind all of the program's.
+// The zero with which shorter limbs are filled up: the constant after all constants of the program.
 inline Operand zero_of(const Program& p) {
   return {Operand::Kind::constant, static_cast<int>(p.constants.size()), false};
 }
@@ -39,18 +39,18 @@ inline std::vector<double> run(const Program& p) {
   return symbolic::interpret<double>(p, {{"a", kInputs}}).at("out");
 }
 
-// Limbs that compute the same by statements of the same operators, with other numbers.
+// Limbs that compute with the same operators on different numbers.
 class RandomLimbs {
  public:
   explicit RandomLimbs(unsigned seed) : random_(seed) {}
 
-  // Any operand of the right limb may have the opposite sign.
+  // Any operand of the right limb may be negated.
   Program make() {
     return make([&] { return pick(3) == 0; });
   }
 
-  // As in a mirrored leg: each value of the right limb is that of the left one or its opposite, and its statement says
-  // so. Sums and products alone.
+  // As in a mirrored leg, each value of the right limb is that of the left limb or its negative, with the signs written
+  // in its statement. Only sums and products.
   Program mirrored() {
     turned_inputs_ = {pick(2) == 0, pick(2) == 0};
     is_mirrored_ = true;
@@ -58,13 +58,13 @@ class RandomLimbs {
   }
 
  private:
-  // An operand: of the limb, a statement (kind 0 to 2) or an input (3); what the trunk has computed (4); a number (5).
+  // An operand: a statement (kind 0 to 2) or an input (3) of the limb, a value of the trunk (4), or a number (5).
   struct Choice {
     int kind, index;
   };
   std::mt19937 random_;
   bool is_mirrored_ = false;
-  std::vector<bool> turned_inputs_, turned_;  // the opposite of the left limb's: inputs, statements
+  std::vector<bool> turned_inputs_, turned_;  // negated in the right limb: inputs, statements
 
   int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
 
@@ -99,7 +99,7 @@ class RandomLimbs {
     const int kind = statements == 0 ? 3 : pick(4);
     return {kind, kind < 3 ? std::max(0, statements - 1 - pick(3)) : pick(2)};
   }
-  // Products stay small.
+  // Keeps products small.
   Choice factor() { return {3 + pick(3), pick(2)}; }
 
   bool is_turned(const Choice& c) const {

@@ -11,7 +11,7 @@ std::shared_ptr<const Source> source(std::string text, std::string name = "arm.k
   return std::make_shared<Source>(std::move(name), std::move(text));
 }
 
-// The place of the first `word` in the text.
+// The place of the first occurrence of `word` in the text.
 Place place(const std::shared_ptr<const Source>& text, const std::string& word) {
   const std::size_t begin = text->text().find(word);
   return {text, {begin, begin + word.size()}};
@@ -91,7 +91,7 @@ TEST(Diagnostics, PointBehindTheLastCharacter) {
       "arm.kindsl:2:1: error: the end [a-code]\n    \n    ^\n");
 }
 
-// Lines of the excerpt, without their indentation.
+// The two lines of the excerpt, without their indentation.
 std::pair<std::string, std::string> excerpt(const std::string& rendered) {
   const std::size_t first = rendered.find('\n') + 5, second = rendered.find('\n', first) + 5;
   return {rendered.substr(first, second - 5 - first), rendered.substr(second, rendered.find('\n', second) - second)};
@@ -181,13 +181,13 @@ TEST(Nearest, FindsWhatWasMeant) {
   const std::vector<std::string> words = {"upperleg", "lowerleg", "link", "mass", "CoM", "Ix", "Iy", "translation"};
   EXPECT_EQ(nearest("uperleg", words), "upperleg");
   EXPECT_EQ(nearest("lowerlag", words), "lowerleg");
-  EXPECT_EQ(nearest("lnik", words), "link");  // two neighbours exchanged are one slip
+  EXPECT_EQ(nearest("lnik", words), "link");  // two exchanged neighbours are one typing error
   EXPECT_EQ(nearest("MASS", words), "mass");
   EXPECT_EQ(nearest("com", words), "CoM");
   EXPECT_EQ(nearest("trnslatoin", words), "translation");
   EXPECT_EQ(nearest("IX", words), "Ix");
   EXPECT_EQ(nearest("tail", words), "");
-  EXPECT_EQ(nearest("q", {"x", "xy"}), "");  // nothing of it would be left
+  EXPECT_EQ(nearest("q", {"x", "xy"}), "");  // no letter would be left
   EXPECT_EQ(nearest("", words), "");
   EXPECT_EQ(nearest("abc", {}), "");
   EXPECT_EQ(nearest(std::string(100'000, 'a'), {std::string(100'000, 'b')}), "");

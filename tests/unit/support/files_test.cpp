@@ -63,7 +63,7 @@ TEST_F(Files, AreWrittenWithTheirFolders) {
   ASSERT_TRUE(write({{"a.h", "text"}, {"kernel/deep/b.h", std::string("\r\n\0", 3)}})) << error_;
   EXPECT_EQ(get("a.h"), "text");
   EXPECT_EQ(get("kernel/deep/b.h"), std::string("\r\n\0", 3));
-  EXPECT_EQ(entries(), 4u);  // two files, two folders: nothing temporary is left
+  EXPECT_EQ(entries(), 4u);  // two files and two folders: no temporary file is left
 }
 
 TEST_F(Files, AreLeftAloneWhenTheyWouldNotChange) {
@@ -91,7 +91,7 @@ TEST_F(Files, AreAllUntouchedWhenOneCannotBeWritten) {
 }
 
 #ifdef RLIMIT_FSIZE
-// A limit on the size of files stands for a full disk: writing fails in the middle.
+// A limit on the file size simulates a full disk: writing fails in the middle.
 TEST_F(Files, AreAllUntouchedWhenTheDiskIsFull) {
   put("a", "old");
   rlimit usual{};

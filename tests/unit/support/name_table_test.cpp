@@ -23,7 +23,7 @@ TEST(NameTable, KeepsTheFirstValueOfAName) {
   EXPECT_EQ(table.find(""), nullptr);
 }
 
-// Names of its own, of any length, after it has grown and after it was moved.
+// The table owns its names, of any length, after it has grown and after it was moved.
 TEST(NameTable, KeepsNamesAsItGrows) {
   NameTable<int> table;
   const auto name = [](int k) { return std::string(static_cast<std::size_t>(k % 40), 'a') + std::to_string(k); };

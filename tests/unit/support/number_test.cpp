@@ -1,4 +1,4 @@
-// Exact arithmetic of document constants, against plain arithmetic on small integers and against strtod and libm.
+// Exact arithmetic of document constants, compared with plain integer arithmetic, strtod and libm.
 #include "support/number.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Number, IsInLowestTermsWithPositiveDenominator) {
   EXPECT_EQ(Number::pi_multiple(-3, 2).value(), -1.5 * std::numbers::pi);
 }
 
-// strtod rounds correctly. A quotient that is rounded to 64 bits first, and then to 53, differs in one of 2,000 cases.
+// strtod rounds correctly. Rounding a quotient to 64 bits and then to 53 differs in one of 2,000 cases.
 TEST(Number, HasTheNearestDouble) {
   constexpr std::uint64_t kSeed = 41;
   std::mt19937_64 engine(kSeed);
@@ -99,7 +99,7 @@ TEST(Number, IsOneForLiteralsOfOneDouble) {
 }
 
 TEST(Number, AddsAndMultipliesExactly) {
-  EXPECT_EQ(parse("0.1") + parse("0.2"), parse("0.3"));  // in doubles 0.30000000000000004
+  EXPECT_EQ(parse("0.1") + parse("0.2"), parse("0.3"));  // 0.30000000000000004 in doubles
   EXPECT_EQ(parse("0.1") * Number::rational(10), Number::rational(1));
   EXPECT_EQ(Number::rational(1) / Number::rational(3) + Number::rational(2, 3), Number::rational(1));
   EXPECT_EQ(parse("0.3") - parse("0.3"), Number());
@@ -128,7 +128,7 @@ TEST(Number, FallsBackToDoublesWhereNothingExactIsKnown) {
   EXPECT_TRUE(std::isnan((Number() / Number()).value()));
 }
 
-// Random sums, products and quotients of small fractions against the same in plain integers.
+// Random sums, products and quotients of small fractions, compared with integer arithmetic.
 TEST(Number, AgreesWithIntegerArithmetic) {
   constexpr std::uint64_t kSeed = 7;
   std::mt19937_64 engine(kSeed);
@@ -189,7 +189,7 @@ TEST(Number, HasTheTrigonometryOfLibm) {
       EXPECT_NEAR(cos(angle).value(), std::cos(angle.value()), 2 * kTolerance) << num << " PI / " << den;
     }
   }
-  // at the largest denominators nothing overflows
+  // nothing overflows at the largest denominators
   EXPECT_NEAR(sin(Number::pi_multiple(kLargest - 1, kLargest)).value(), 0.0, 1e-15);
   EXPECT_NEAR(cos(Number::pi_multiple(kLargest - 1, kLargest)).value(), -1.0, 1e-15);
   EXPECT_EQ(sin(parse("0.3")).value(), std::sin(0.3));

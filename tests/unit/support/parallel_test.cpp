@@ -20,7 +20,7 @@ TEST(ForEachIndex, CallsEachOnce) {
   }
 }
 
-// One of another index may be thrown first.
+// The exception of another index may be thrown earlier.
 TEST(ForEachIndex, ThrowsWhatTheFirstThrewWhenAllAreDone) {
   std::atomic<int> calls = 0;
   try {

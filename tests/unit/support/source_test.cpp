@@ -14,12 +14,12 @@ TEST(Source, CountsLinesAndColumnsFromOne) {
   const Source source("a.txt", "ab\ncd\n\ne");
   EXPECT_EQ(source.name(), "a.txt");
   expect_place(source, 0, 1, 1);
-  expect_place(source, 2, 1, 3);  // the line end belongs to its line
+  expect_place(source, 2, 1, 3);  // a line end belongs to its line
   expect_place(source, 3, 2, 1);
   expect_place(source, 6, 3, 1);
   expect_place(source, 7, 4, 1);
   expect_place(source, 8, 4, 2);     // the end of the text
-  expect_place(source, 1000, 4, 2);  // and what is beyond it
+  expect_place(source, 1000, 4, 2);  // and beyond it
 }
 
 TEST(Source, KnowsTheLineEndsOfAllSystems) {

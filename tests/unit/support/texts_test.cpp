@@ -15,7 +15,7 @@ TEST(Texts, ArePiecesOneAfterAnother) {
   EXPECT_EQ(texts.add({}), "");
 }
 
-// More than fits in one block, and one that is longer than a block.
+// More texts than fit in one block, and one that is longer than a block.
 TEST(Texts, StayWhereTheyAreWhenOthersComeAndWhenMoved) {
   Texts texts;
   std::vector<std::string_view> views;

@@ -12,7 +12,7 @@ namespace {
 
 using test::program;
 
-// x + y, by way of a number that is in and out.
+// Computes x + y, with a number added first and subtracted at the end.
 std::string detour(const std::string& number) {
   return "program detour\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] + " + number +
          "\ntmp t1 = t0 + x[1]\ntmp t2 = t1 - " + number + "\nreturn y t2\n";
@@ -71,7 +71,7 @@ TEST(Accuracy, DigitsLostOnADetourAreCounted) {
   EXPECT_TRUE(results.are_kept_by(program(detour("2.0"))));
 }
 
-// y and z are both x + y, by way of numbers.
+// y and z are both x + y, each with a number added and subtracted.
 std::string two_detours(const std::string& of_y, const std::string& of_z) {
   return "program detours\ninput x value a b\noutput y value 1 1\noutput z value 1 1\nsection s s\nin 0\ntmp t0 = x[0] "
          "+ " +
@@ -85,7 +85,7 @@ TEST(Accuracy, LossesOfOneArrayDoNotExcuseThoseOfAnother) {
   EXPECT_FALSE(results.are_kept_by(program(two_detours("1048576.0", "4096.0"))));
 }
 
-// In float the plain program loses many digits in few states, the other some fewer in all.
+// In float, the plain program loses many digits in a few states; the other one loses fewer digits, but in all states.
 TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
   const AccurateResults results(program(
       "program rare\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * x[0]\ntmp t1 = t0 * t0\n"
@@ -97,8 +97,8 @@ TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
   EXPECT_FALSE(results.are_kept_by(everywhere));
 }
 
-// The reciprocal of the pivot 3 + x, which went by way of a number, and 1e12 times the root of another pivot: what is
-// lost of the first, the larger element hides.
+// The reciprocal of the pivot 3 + x, with a number added and subtracted, and 1e12 times the root of another pivot: the
+// larger element hides the digits that the first one loses.
 std::string hidden_pivot(const std::string& number) {
   return "program pivot\ninput x value a\noutput y value 2 1\nsection s s\nin 0\ntmp t0 = x[0] + 3.0\ntmp t1 = t0 + " +
          number + "\ntmp t2 = t1 - " + number +
@@ -112,7 +112,7 @@ TEST(Accuracy, PivotsThatLargerElementsHideAreCounted) {
   EXPECT_FALSE(results.are_kept_by(program(hidden_pivot("16777216.0"))));
 }
 
-// As often finite as the plain program is the plain program.
+// If the plain program itself loses pivots, no program is accepted in its place, not even an equal one.
 TEST(Accuracy, WherePivotsAreLostNothingTakesThePlaceOfThePlainProgram) {
   const Program plain = program(hidden_pivot("16777216.0"));
   EXPECT_FALSE(AccurateResults(plain).are_kept_by(plain));

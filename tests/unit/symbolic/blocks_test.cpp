@@ -1,4 +1,4 @@
-// Which elements move in blocks.
+// The elements that are moved in blocks.
 #include "symbolic/blocks.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ const std::string kValues =
     "let x = first * second\n"
     "let y = x + first\n";
 
-// `x 0 -y`: columns by name, or as numbers.
+// The columns as `x 0 -y`: by name, or as numbers.
 std::string columns(const Program& p, const Block& block) {
   std::string result;
   for (const Operand& o : block.columns) {
@@ -56,13 +56,13 @@ TEST(Stores, LanesOfLimbsThatFollowEachOtherAreOneBlock) {
   EXPECT_EQ(columns(p, found.blocks[0]), "x y");
 }
 
-// From the second limb to the first: a block goes forward only.
+// From the second limb to the first: a block only goes forward.
 TEST(Stores, LanesInTheOppositeOrderAreNoBlock) {
   const Program p = limbs(kValues + "return out x@1 y@1 x@0 y@0\n", 4);
   EXPECT_TRUE(stores(p).blocks.empty());
 }
 
-// Of one constant: together where that takes no more vectors, else by themselves.
+// Runs of one constant are filled together if this takes no more vectors, otherwise separately.
 TEST(Stores, AFillGoesOnBehindAGapThatCostsNothing) {
   const Program near = limbs(kValues + "return out 0 0 0 0 x@0 0 0 0 0\n", 9);
   ASSERT_EQ(stores(near).fills.size(), 2U) << "three vectors in the place of two";
@@ -79,7 +79,7 @@ TEST(Stores, AFillGoesOnBehindAGapThatCostsNothing) {
 }
 
 TEST(Stores, RowsAndColumnsOfASymmetricMatrixAreBlocksOfTheirOwn) {
-  // x and y in the first column of a matrix of five rows, and in its first row.
+  // x and y are in the first column of a matrix with five rows, and in its first row.
   const Program p =
       limbs(kValues + "return out 1 x@0 y@0 x@1 y@1 x@0 2 0 0 0 y@0 0 2 0 0 x@1 0 0 2 0 y@1 0 0 0 2\n", 25);
   const Stores found = stores(p);

@@ -1,4 +1,4 @@
-// Constants that fold as a representative of their set does.
+// Constants that fold like a representative of their set.
 #include "symbolic/constant.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Constant, ArithmeticIsThatOfTheNumbersAndOfTheRepresentatives) {
 TEST(Constant, IsZeroWhereBothAre) {
   EXPECT_TRUE((kZero - kZero).is_zero());
   EXPECT_TRUE((kZero * Constant()).is_zero());
-  // the number is zero and the representative is not, and the other way about
+  // the number is zero and the representative is not, or the other way round
   EXPECT_FALSE((kHalf.folded_as(1.0) - kHalf).is_zero());
   EXPECT_FALSE((kHalf.folded_as(0.0) + Constant()).is_zero());
 }

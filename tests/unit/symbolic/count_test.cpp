@@ -32,7 +32,7 @@ TEST(Count, EachOperationInItsColumn) {
   EXPECT_EQ(c.div, 1);
   EXPECT_EQ(c.sqrt, 1);
   EXPECT_EQ(c.sincos, 1);
-  EXPECT_EQ(c.instructions, 3);  // divisions, roots, sines stand in their own columns
+  EXPECT_EQ(c.instructions, 3);  // divisions, roots and sines are counted separately
   EXPECT_EQ(c.critical_path, 4 + 4 + 4 + 14 + 14);
 }
 
@@ -40,7 +40,7 @@ TEST(Count, SineAndCosineOfOneAngleAreOne) {
   EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos a[0]\nreturn out s c\n", 2).sincos, 1);
   EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos -a[0]\nreturn out s c\n", 2).sincos, 1);
   EXPECT_EQ(counted("let s = sin a[0]\nlet c = cos a[1]\nreturn out s c\n", 2).sincos, 2);
-  // Statement 0 is not input 0.
+  // Statement 0 is different from input 0.
   EXPECT_EQ(counted("let t = a[0] * a[1]\nlet s = sin t\nlet c = cos a[0]\nreturn out s c\n", 2).sincos, 2);
 }
 
@@ -59,12 +59,12 @@ TEST(Count, AProductInTwoSumsIsSwallowedByBoth) {
   EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + a[2]\nlet t = m + a[3]\nreturn out s t\n", 2).instructions, 2);
 }
 
-// fma(a, b, m) still needs m.
+// fma(a, b, m) would still need m.
 TEST(Count, ASumOfAProductWithItselfSwallowsNothing) {
   EXPECT_EQ(counted("let m = a[0] * a[1]\nlet s = m + m\nreturn out s\n").instructions, 2);
 }
 
-// m with one use takes the sum it shares with n; n with two uses is then needed by itself.
+// m, which has one use, fuses with the sum that it shares with n; n, which has two uses, is then needed separately.
 TEST(Count, ProductsWithFewestUsesAreSwallowedFirst) {
   EXPECT_EQ(
       counted(
@@ -78,7 +78,7 @@ TEST(Count, ProductsWithFewestUsesAreSwallowedFirst) {
       3);
 }
 
-// A chain of n fused operations: one product that nothing takes, then n - 1 sums that take theirs.
+// A chain of n fused operations: one product that is not fused, then n - 1 sums, each fused with a product.
 TEST(Count, ADotProductIsAChain) {
   const OperationCount c = counted(
       "let m0 = a[0] * a[0]\n"
@@ -94,9 +94,9 @@ TEST(Count, ADotProductIsAChain) {
 }
 
 TEST(Count, TheCriticalPathFusesAtTheLaterFactor) {
-  // x is ready at 4; fma(x, a, b) at 8.
+  // x is ready at 4, and fma(x, a, b) at 8.
   EXPECT_EQ(counted("let x = a[0] + a[1]\nlet m = x * a[2]\nlet s = m + a[3]\nreturn out s\n").critical_path, 8);
-  // The addend is late: fused, the sum waits for it alone.
+  // The addend is late; in fused form, the sum waits only for the addend.
   EXPECT_EQ(
       counted("let x = a[0] / a[1]\n"
               "let m = a[2] * a[3]\n"
@@ -115,7 +115,7 @@ TEST(Count, SinesAreGiven) {
   EXPECT_EQ(counted("let x = a[0] + a[1]\nlet s = sin x\nlet m = s * a[2]\nreturn out m\n").critical_path, 4);
 }
 
-// Parameters change seldom: what follows from them alone takes no time.
+// Parameters change rarely, so values that depend only on them take no time.
 TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
   const auto program = [](const std::string& role) {
     return test::program(
@@ -137,7 +137,7 @@ TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
   EXPECT_EQ(predicted_time(program("parameters")), 4);
 }
 
-// Of two lanes: parameters, and variables.
+// Programs over two lanes: parameters, and variables.
 Program of_lanes(const std::string& role, const std::string& statements, const std::string& returns) {
   return test::program(
       "program test\n"
@@ -151,7 +151,7 @@ Program of_lanes(const std::string& role, const std::string& statements, const s
       statements + "return out " + returns + "\n");
 }
 
-// What is done in all lanes counts once, and what brings numbers together or apart is a move.
+// An operation on all lanes counts once; bringing numbers together or apart is a move.
 TEST(Count, LanesCountOnce) {
   const OperationCount c = count(of_lanes(
       "value", "tmp a = gather k[0] k[1]\ntmp b = gather x[0] x[1]\ntmp m = a * b\ntmp s = m + a\n", "s@0 s@1"));
@@ -162,7 +162,7 @@ TEST(Count, LanesCountOnce) {
   EXPECT_EQ(c.critical_path, 4);
 }
 
-// All lanes at once are one, from which a single lane takes its own; single lanes are one each.
+// All lanes together count as one sine, from which a single lane can be read; sines of single lanes count one each.
 TEST(Count, SinesOfLanesAreOneAndThoseOfSingleLanesOneEach) {
   const std::string x = "tmp x = gather k[0] k[1]\n";
   EXPECT_EQ(count(of_lanes("value", x + "tmp s = sin x\ntmp c = cos x@0\n", "s@0 c")).sincos, 1);
@@ -178,7 +178,7 @@ TEST(Count, ASumOfLanesWaitsForHalves) {
   EXPECT_EQ(c.critical_path, 4 + 3 + 4);
 }
 
-// Numbers are made ahead; a gather of what is computed has to be waited for.
+// Vectors of numbers are prepared in advance; a gather of computed values has to be waited for.
 TEST(Count, AGatherOfNumbersIsFree) {
   const OperationCount numbers =
       count(of_lanes("value", "tmp a = gather 0.5 -0.25\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
@@ -188,7 +188,7 @@ TEST(Count, AGatherOfNumbersIsFree) {
   EXPECT_EQ(computed.critical_path, 4 + 3 + 4 + 3 + 4);
 }
 
-// A gather of parameters follows from them alone, as what is computed of it does.
+// A gather of parameters depends only on them, and so does everything computed from it.
 TEST(Work, AGatherOfParametersIsGiven) {
   const auto program = [](const std::string& role) {
     return of_lanes(
@@ -199,7 +199,7 @@ TEST(Work, AGatherOfParametersIsGiven) {
   EXPECT_EQ(work(program("parameters")), 2 * 2 - 1);
 }
 
-// A gather with a lane that is not a parameter is not counted.
+// A gather with a lane that is not a parameter is not counted as given.
 TEST(Work, AGatherOfParametersAndOthersIsNotGiven) {
   const Program program = of_lanes("parameters", "tmp f = gather k[0] x[0]\ntmp r = f * f\n", "r@0 r@1");
   EXPECT_EQ(work(program), 2);

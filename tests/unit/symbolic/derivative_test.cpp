@@ -1,4 +1,4 @@
-// Derivatives of programs, by both modes, against differences of the interpreter in long double.
+// Derivatives of programs in both modes, compared with differences of the interpreter in long double.
 #include "symbolic/derivative.h"
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ Values results(const Program& program, const Values& a, const std::string& outpu
   return interpret<Real>(program, {{"a", a}}).at(output);
 }
 
-// Fourth-order central differences: column by column, by the elements of `a`.
+// Fourth-order central differences, one column for each element of `a`.
 Values differences(const Program& program, const Values& a, const std::string& output) {
   constexpr Real kStep = 1e-4L;
   Values columns;
@@ -70,7 +70,7 @@ TEST(Derivative, SharedValuesSeveralResultsAndNone) {
   expect_both_modes(p, {0.3L, 0.7L, -2.0L, 5.0L});
 }
 
-// The cheaper mode: one result of many inputs by reverse mode, many results of one input by forward mode.
+// The cheaper mode: reverse mode for one result of many inputs, forward mode for many results of one input.
 TEST(Derivative, CheapestMode) {
   const Program product =
       test::small_program("let x = a[0] * a[1]\nlet y = x * a[2]\nlet z = y * a[3]\nreturn out z\n");
@@ -89,7 +89,7 @@ TEST(Derivative, CheapestMode) {
       print(*with_derivatives(product, {"a"}, DerivativeMode::forward, 1000)), print(with_derivatives(product, {"a"})));
 }
 
-// An output may be called like a derivative itself.
+// An output itself may have the name of a derivative.
 TEST(Derivative, OfADerivative) {
   const Program p = test::program(
       "program test\ninput q value 0\noutput d_q value 1 1\nsection hip link hip\nlet x = q[0] * q[0]\nreturn d_q x\n");
@@ -98,7 +98,7 @@ TEST(Derivative, OfADerivative) {
   EXPECT_EQ(d.outputs[1].name, "d_q_d_q");
 }
 
-// What does not depend on an input is a literal zero.
+// Derivatives with respect to an input on which a value does not depend are literal zeros.
 TEST(Derivative, ZerosAreLiteral) {
   const Program p = with_derivatives(test::small_program("let x = a[0] * a[1]\nreturn out x\n"), {"a"});
   ASSERT_EQ(p.outputs.size(), 2U);

@@ -1,4 +1,4 @@
-// Expressions share and carry signs; a graph can go back.
+// Expressions are shared and carry signs; a graph can be rolled back.
 #include "symbolic/expression.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST_F(ExpressionTest, EqualConstantsAreOneNode) {
   EXPECT_TRUE(graph.constant(-0.0).is_zero());
 }
 
-// PI and the double next to it are two constants: one of them is exact.
+// PI and the nearest double are two constants, of which one is exact.
 TEST_F(ExpressionTest, AMultipleOfPiIsNotItsDouble) {
   const Expression pi = graph.constant(Number::pi_multiple(1));
   const Expression nearest = graph.constant(Number(pi.number().value()));
@@ -130,7 +130,7 @@ TEST_F(ExpressionTest, InternalFaultsAreLogicErrors) {
   EXPECT_THROW(graph.constant(std::numeric_limits<double>::quiet_NaN()), std::logic_error);
 }
 
-// A zero that was computed belongs to the graph, so that a cosine of it is one.
+// A computed zero belongs to the graph, so that its cosine is one.
 TEST_F(ExpressionTest, WhatCancelsIsAZeroOfTheGraph) {
   EXPECT_EQ(cos(a - a), graph.one());
   EXPECT_EQ(cos((a + b) - (b + a)), graph.one());
@@ -147,7 +147,7 @@ TEST_F(ExpressionTest, RollbackForgetsWhatWasBuiltSince) {
   EXPECT_EQ(graph.mark(), mark);
   EXPECT_EQ(a + b, kept);
 
-  // Built again in another order, everything is found again and means what it says.
+  // After the rollback, expressions built in another order are found again and have the right meaning.
   const Expression sine = sin(kept), number = graph.constant(0.88), old_number = graph.constant(0.77);
   EXPECT_EQ(static_cast<std::size_t>(sine.node()), mark);
   EXPECT_EQ(number.number().value(), 0.88);
@@ -157,7 +157,8 @@ TEST_F(ExpressionTest, RollbackForgetsWhatWasBuiltSince) {
   EXPECT_NE(kept * c, sine);
 }
 
-// A product costs 2 instructions, or nothing of its own where a sum takes it; divisions and roots 8; sines come anyway.
+// A product costs 2 instructions, or nothing itself if it fuses with a sum; divisions and roots cost 8; sines cost
+// nothing here, because they are needed anyway.
 TEST_F(ExpressionTest, CostSinceTheMark) {
   const std::size_t begin = graph.mark();
   EXPECT_EQ(graph.cost_since(begin), 0);

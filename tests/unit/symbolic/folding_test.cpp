@@ -1,4 +1,4 @@
-// What folds while expressions are built, and that folding keeps their values.
+// Expressions fold while they are built, and folding keeps their values.
 #include <gtest/gtest.h>
 
 #include "programs.h"
@@ -36,7 +36,7 @@ TEST_F(Folding, ZerosAndOnes) {
 }
 
 TEST_F(Folding, ConstantsFoldExactly) {
-  EXPECT_EQ(k("0.1") + k("0.2"), k("0.3"));  // 0.1 + 0.2 in doubles is not 0.3
+  EXPECT_EQ(k("0.1") + k("0.2"), k("0.3"));  // in doubles, 0.1 + 0.2 is not 0.3
   EXPECT_EQ(k("0.1") * k(3.0), k("0.3"));
   EXPECT_EQ(k(1.0) / k(3.0) * k(3.0), graph.one());
   EXPECT_EQ(k("0.1") - k("0.3"), -k("0.2"));

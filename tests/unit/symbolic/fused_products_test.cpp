@@ -27,7 +27,7 @@ TEST(FusedProducts, DisappearWhereEverySumTakesThem) {
   EXPECT_EQ(fused({{1}, {0, 1}}, 2), 1);
 }
 
-// The one with two uses comes first, and would take the sums of two others.
+// The product with two uses comes first in the list and would block the sums of the two others.
 TEST(FusedProducts, GoFirstWithFewestUses) {
   EXPECT_EQ(fused({{0, 1}, {0}, {1}}, 2), 2);
 }

@@ -35,7 +35,7 @@ TYPED_TEST(Interpret, EveryOperation) {
   EXPECT_EQ(run("a[3] * -0.25", a), Real(-1.25));
 }
 
-// As in generated code, a literal is the nearest double; a multiple of PI has the precision of the scalar.
+// As in generated code, a literal is the nearest double, and a multiple of PI has the precision of the scalar.
 TYPED_TEST(Interpret, Constants) {
   using Real = TypeParam;
   const std::vector<Real> a(4, Real(0));

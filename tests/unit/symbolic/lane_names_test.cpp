@@ -1,4 +1,4 @@
-// Names of lanes: the common part of the names of their limbs.
+// Names of lanes: the common part of their limbs' names.
 #include "symbolic/lane_names.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ TEST(LaneNames, AreWhatNamesHaveInCommon) {
   EXPECT_EQ(common_name({"trunk_t3"}), "trunk_t3");
 }
 
-// LEFT and LOWER share a letter, but no word.
+// LEFT and LOWER have a letter in common, but no word.
 TEST(LaneNames, KeepWholeWords) {
   EXPECT_EQ(common_name({"LEFT_hip_wx", "LOWER_hip_wx"}), "hip_wx");
   EXPECT_EQ(common_name({"LF_legA", "RF_legA"}), "legA");
@@ -22,14 +22,14 @@ TEST(LaneNames, KeepWholeWords) {
   EXPECT_EQ(common_name({"LF_innerleg", "RF_outerleg"}), "lanes");
 }
 
-// Of mirrored limbs some values are kept negated; one limb may share a value with the trunk.
+// In mirrored limbs, some values are kept negated; one limb may share a value with the trunk.
 TEST(LaneNames, HaveNoSignThatLanesDoNotShare) {
   EXPECT_EQ(common_name({"LF_hip_wx", "RF_hip_wx_neg"}), "hip_wx");
   EXPECT_EQ(common_name({"LF_hip_wx_neg", "RF_hip_wx_neg"}), "hip_wx_neg");
   EXPECT_EQ(common_name({"trunk_ay", "RF_hip_ax", "LH_hip_ax", "RH_hip_ax_neg"}), "hip_ax");
 }
 
-// Beginning and end may not overlap in the shortest name.
+// The common beginning and end must not overlap in the shortest name.
 TEST(LaneNames, FitIntoEachName) {
   EXPECT_EQ(common_name({"a_a", "a_a_a"}), "a");
   EXPECT_EQ(common_name({"t_1_t", "t_1_1_t"}), "t_1");

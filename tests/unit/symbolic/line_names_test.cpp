@@ -1,4 +1,4 @@
-// What the lines of a program are called.
+// The names of a program's lines.
 #include "symbolic/line_names.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ const std::string kHead =
     "section hip link hip: motion\n"
     "in 0\n";
 
-// Of the last statements, as many as are expected, all statements being lines.
+// Compares the names of the last statements; every statement is a line.
 void expect_last(const std::string& statements, const Names& expected) {
   Program p = test::program(kHead + statements);
   for (Statement& s : p.statements) s.described = false;
@@ -45,7 +45,7 @@ TEST(LineNames, SinesAndCosinesOfTwiceAnAngle) {
       {"s2_HFE", "sc_HFE", "s_2HFE", "c_2HFE_of_HFE", "c_2HFE", "hip_t0"});
 }
 
-// U = [wd]x + [w]x [w]x: row y, column x has w_x w_y + wd_z, and row x, column y has wd_z subtracted.
+// U = [wd]x + [w]x [w]x: in row y, column x, w_x w_y + wd_z; in row x, column y, w_x w_y - wd_z.
 TEST(LineNames, ElementsOfU) {
   expect_last(
       kRates + "tmp a = hip_wx * hip_wy_neg\ntmp b = hip_wdz - a\ntmp c = hip_wdz + a\ntmp d = b * c\nreturn tau d\n",

@@ -1,4 +1,4 @@
-// From a graph to a program: what is reached, in which order, in which section, under which name.
+// From a graph to a program: which expressions it contains, in which order and section, and under which names.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -25,7 +25,7 @@ class ProgramOfGraph : public testing::Test {
   }
 };
 
-// The only operand whose sign no operation takes up.
+// The root is the only operation that does not absorb the sign of its operand.
 TEST_F(ProgramOfGraph, KeepsTheSignUnderARoot) {
   graph.begin_section("link hip", "hip");
   const std::string text = print(program({sqrt(-a), sqrt(a)}));
@@ -83,10 +83,10 @@ TEST_F(ProgramOfGraph, NumbersRunOnThroughSectionsOfOnePrefix) {
 TEST_F(ProgramOfGraph, NamesAreGivenOnceAndStayUnique) {
   const Expression sum = a + b, product = a * b, sine = sin(a), cosine = cos(a);
   graph.name(sum, "wx");
-  graph.name(sum, "wy");      // it has one
-  graph.name(product, "wx");  // taken
+  graph.name(sum, "wy");      // already has a name
+  graph.name(product, "wx");  // already taken
   graph.name(sine, "wx");
-  graph.name(cosine, "t_t0");  // what a numbered one would be called
+  graph.name(cosine, "t_t0");  // the name that a numbered value would get
   graph.name(a, "input");
   graph.name(graph.constant(0.5), "constant");
   graph.name(Expression(), "zero");
@@ -99,7 +99,7 @@ TEST_F(ProgramOfGraph, NamesAreGivenOnceAndStayUnique) {
   EXPECT_FALSE(p.statements[4].named);
 }
 
-// The node of b - a is a - b: a value is called what it is, sign included.
+// The node of b - a is a - b: a value's name includes its sign.
 TEST_F(ProgramOfGraph, ANegatedValueIsCalledSo) {
   const Expression difference = b - a;
   ASSERT_TRUE(difference.negative());

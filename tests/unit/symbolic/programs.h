@@ -1,4 +1,4 @@
-// Programs for tests: read from text, written as text, or made at random.
+// Programs for tests: read from text, written as text, or random.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,14 +38,14 @@ inline symbolic::Program small_program(const std::string& statements, int output
   return program(head(outputs) + statements);
 }
 
-// A value and a bound of the rounding errors that it may carry, whichever way its sums and products are arranged.
+// A value and a bound on the rounding errors that it may carry, in whichever order its sums and products are computed.
 struct Bounded {
   long double value = 0;
   long double error = 0;
 };
 
-// Textbook running error analysis (Higham 2002, ch. 3) with the unit roundoff of double: an evaluator of programs that
-// shares nothing with the interpreter.
+// Textbook running error analysis (Higham 2002, ch. 3) with 2^-52, twice the unit roundoff of double: an evaluator of
+// programs that shares nothing with the interpreter.
 class BoundedEvaluator {
  public:
   explicit BoundedEvaluator(const symbolic::Program& p, const std::vector<double>& inputs) : p_(p), inputs_(inputs) {
@@ -108,13 +108,13 @@ class BoundedEvaluator {
         return rounded(std::atan2(a.value, b.value), (a.error + b.error) / std::hypot(a.value, b.value));
       case Op::gather:
       case Op::sum_lanes:
-        break;  // of programs with lanes
+        break;  // only in programs with lanes
     }
     return {};
   }
 };
 
-// Programs with everything in them that folds: zeros, ones, equal and opposite operands, multiples of PI, sums of sums,
+// Programs with everything that folds: zeros, ones, equal and opposite operands, multiples of PI, sums of sums,
 // products of products, dead and repeated statements. Divisors and radicands are at least 1.
 class RandomPrograms {
  public:
@@ -162,7 +162,7 @@ class RandomPrograms {
     const int choice = pick(10);
     if (choice == 0) return {Kind::constant, pick(static_cast<int>(p.constants.size())), negative};
     if (choice < 4 || count == 0) return {Kind::input, pick(kInputs), negative};
-    // Mostly recent statements, so that sums of sums and products of products come up.
+    // Mostly recent statements, so that sums of sums and products of products occur.
     return {Kind::statement, std::max(0, count - 1 - pick(pick(4) == 0 ? count : 4)), negative};
   }
 
@@ -174,7 +174,7 @@ class RandomPrograms {
     return static_cast<int>(p.statements.size()) - 1;
   }
 
-  // 1 + sin^2 of an operand: a value in [1, 2] that says nothing of itself.
+  // 1 + sin^2 of an operand: a value in [1, 2] that the passes cannot recognise as such.
   symbolic::Operand at_least_one(symbolic::Program& p) {
     using symbolic::Op;
     using Kind = symbolic::Operand::Kind;
@@ -204,7 +204,7 @@ class RandomPrograms {
       case 5:
       case 6:
       case 7: {
-        // Products stay small: a factor is an input, a constant or a sine.
+        // Products stay small, because one factor is an input or a constant.
         const symbolic::Operand factor =
             pick(2) == 0 ? symbolic::Operand{symbolic::Operand::Kind::input, pick(kInputs), pick(2) == 0}
                          : symbolic::Operand{symbolic::Operand::Kind::constant, pick(6), pick(2) == 0};
@@ -217,12 +217,12 @@ class RandomPrograms {
   }
 };
 
-// Whether `changed` computes what `original` computes, up to rounding; a description of the first difference if not.
+// Compares the results of both programs up to rounding; returns a description of the first difference, or nothing.
 inline std::string difference(
     const symbolic::Program& original,
     const symbolic::Program& changed,
     const std::vector<double>& inputs) {
-  // Rewriting may at most double the roundings of an expression that the bound counts; 4 leaves room for its own.
+  // Rewriting at most doubles the rounding errors that the bound counts; 4 leaves a margin.
   constexpr long double kMargin = 4;
   const BoundedEvaluator expected(original, inputs);
   const symbolic::Arrays<double> computed = symbolic::interpret<double>(changed, {{"a", inputs}});

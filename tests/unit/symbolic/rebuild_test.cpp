@@ -1,4 +1,4 @@
-// Programs made again through a graph: text in, text out.
+// Programs rebuilt through a graph: text in, text out.
 #include "symbolic/rebuild.h"
 
 #include "programs.h"

@@ -160,7 +160,7 @@ TEST(ProgramText, ErrorIsEmptyAfterSuccess) {
   EXPECT_EQ(error, "");
 }
 
-// A program that did not come from text can hold faults that text cannot.
+// A program that was not read from text can have faults that text cannot express.
 class Verify : public testing::Test {
  protected:
   Program p = test::small_program("let x = a[0] + 0.5\nlet y = x * a[1]\nreturn out y\n");

@@ -1,4 +1,4 @@
-// The weight of a program that is not made is what counting that program finds.
+// The weight of a program that is not built equals the counts of the built program.
 #include "symbolic/weight.h"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,10 @@ TEST(Weight, OfProductsInSums) {
   const Expression a = graph.input(0), b = graph.input(1), c = graph.input(2), d = graph.input(3);
   const Expression product = a * b, shared = c * d;
   const Weight fused = weight(graph, {{product + c}});
-  EXPECT_EQ(fused.work, 3);  // two operations, one instruction
+  EXPECT_EQ(fused.work, 3);  // two operations in one instruction
   EXPECT_EQ(fused.statements, 2);
-  EXPECT_EQ(weight(graph, {{product + c, product}}).work, 4);      // the product is a result, too
-  EXPECT_EQ(weight(graph, {{shared + a, shared + b}}).work, 5);    // both sums swallow it
+  EXPECT_EQ(weight(graph, {{product + c, product}}).work, 4);      // the product is also a result
+  EXPECT_EQ(weight(graph, {{shared + a, shared + b}}).work, 5);    // both sums fuse with it
   EXPECT_EQ(weight(graph, {{sqrt(shared), shared + b}}).work, 4);  // the root needs it
 }
 

@@ -1,4 +1,4 @@
-/* At the end of an S-function: what Simulink calls. Here it is the test that does. */
+/* Included at the end of an S-function: the entry points that Simulink calls. Here the test calls them. */
 void sfunction_sizes(SimStruct *S);
 void sfunction_outputs(SimStruct *S);
 void sfunction_sizes(SimStruct *S) {

@@ -1,4 +1,4 @@
-/* What the example uses of Simulink's header, by its documentation: ports and sizes are members of a structure. */
+/* The part of Simulink's header that the example uses, after its documentation: ports and sizes are members. */
 #ifndef SIMSTRUC_H
 #define SIMSTRUC_H
 

@@ -1,5 +1,5 @@
-// The largest difference between joint forces computed here, in limbs that share lanes, and those that are given: reads
-// positions, velocities, accelerations and forces.
+// Reads positions, velocities, accelerations and forces; prints the largest difference between these forces and the
+// forces computed here, in limbs that share lanes.
 #include <quadruped/quadruped.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// At rest, the motor of the vertical slider carries the weight of all that moves.
+// At rest, the motor of the vertical slider carries the weight of all moving links.
 #include <left/leg/leg.h>
 #include <right/leg/leg.h>
 #include <slow/leg/leg.h>

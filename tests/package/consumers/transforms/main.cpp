@@ -1,4 +1,4 @@
-// Uses transforms whose values are known, in both precisions; exits with 1 when one is wrong.
+// Computes transforms with known values in both precisions; exits with 1 if one is wrong.
 #include <gimbal_left/gimbal_left.h>
 #include <harbour/crane/crane.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-// A few roundings of lengths of some ten metres, in double and in single precision.
+// A few roundings of lengths of about ten metres, in double and in single precision.
 constexpr double kTolerance = 1e-13, kSingleTolerance = 1e-4;
 
 int failures = 0;
@@ -30,7 +30,7 @@ int main() {
   parameters.jib = 20.0;
   parameters.rope = 5.0;
 
-  // Luffing turns the hook's frame back, so that the rope hangs down: ground_X_hook is a turn and a place.
+  // Luffing turns the hook's frame back, so that the rope hangs down: ground_X_hook is a turn and a translation.
   const double slew = 0.7, luff = 0.4;
   const Eigen::Matrix4d hook = homogeneous::ground_X_tower(parameters, slew) *
                                homogeneous::tower_X_tip(parameters, luff) * homogeneous::hook_on_rope(parameters, luff);
@@ -41,7 +41,7 @@ int main() {
       "back", homogeneous::tip_X_tower(parameters, luff) * homogeneous::tower_X_tip(parameters, luff),
       Eigen::Matrix4d::Identity(), kTolerance);
 
-  // Power is the same in all coordinates: force' * motion = 1.
+  // Power is the same in all coordinates, so force' * motion = 1.
   namespace transforms = crane::transforms;
   const Eigen::Matrix<double, 6, 6> power =
       transforms::force::tower_X_tip(parameters, luff).transpose() * transforms::motion::tower_X_tip(parameters, luff);
@@ -52,7 +52,7 @@ int main() {
   const Eigen::Matrix4f tip = crane::f32::transforms::homogeneous::tower_X_tip(single, static_cast<float>(luff));
   expect_near("single", tip.cast<double>(), homogeneous::tower_X_tip(parameters, luff), kSingleTolerance);
 
-  // mount_X_inner = (inner_X_outer outer_X_mount)^-1, of a mount that is not turned: the roll of PI/2 lays the ring
+  // mount_X_inner = (inner_X_outer outer_X_mount)^-1 for a mount that is not turned: the roll of PI/2 lays the ring
   // flat.
   const Eigen::Matrix4d gimbal = gimbal_left::transforms::homogeneous::mount_X_inner(0.0, 0.0);
   Eigen::Matrix4d flat;

@@ -1,4 +1,4 @@
-// Uses two libraries made of one URDF: its names, its limits, its frames.
+// Uses two libraries generated from one URDF: its names, its limits, its frames.
 #include <arm/arm.h>
 #include <flying_arm/flying_arm.h>
 
@@ -10,7 +10,8 @@ int main() {
   static_assert(arm::kJointLimits[arm::index(arm::Joint::shoulder)].upper == 2.5);
   static_assert(arm::Robot::kJointLimits[1].effort == robcogen::kUnlimited);
 
-  // Lumped into the forearm, and still a frame where the URDF has it: 0.4 + 0.3 + 0.2 m from the ground, at most.
+  // The tool is lumped into the forearm but remains a frame at its place in the URDF: at most 0.4 + 0.3 + 0.2 m from
+  // the ground.
   const arm::JointState q = arm::JointState::Zero();
   const Eigen::Matrix4d tool = arm::transforms::homogeneous::fr_stand_X_tool(q);
   const double reach = tool.topRightCorner<3, 1>().norm();

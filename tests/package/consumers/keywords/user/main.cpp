@@ -1,4 +1,4 @@
-// Forces at rest with an acceleration less those without one are the inertia matrix times that acceleration.
+// At rest, the forces with an acceleration minus those without it equal the inertia matrix times the acceleration.
 #include <walker/legs/left_leg/batch.h>
 #include <walker/legs/left_leg/left_leg.h>
 #include <right_leg/right_leg.h>
@@ -11,7 +11,7 @@ int main() {
       right_leg::inverse_dynamics(q, rest, qdd) - right_leg::inverse_dynamics(q, rest, rest);
   if ((walker::legs::left_leg::joint_space_inertia(q) * qdd - tau).norm() > 1e-9) return 1;
 
-  // The same for two states at once.
+  // The same for a batch of two states.
   const right_leg::JointState states[] = {rest, q};
   walker::legs::left_leg::InertiaMatrix matrices[2];
   walker::legs::left_leg::batch::joint_space_inertia(

@@ -20,7 +20,7 @@ Matrix<Scalar> skew(const Vector<Scalar>& v) {
   return m;
 }
 
-// The v of which skew(v) is the antisymmetric part of m.
+// Returns the v for which skew(v) is the antisymmetric part of m.
 template <class Scalar>
 Vector<Scalar> axis_of(const Matrix<Scalar>& m) {
   const Scalar half = Scalar(1) / Scalar(2);

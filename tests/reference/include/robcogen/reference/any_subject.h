@@ -1,4 +1,4 @@
-// A subject whose functions are values: the checks are compiled once for all libraries.
+// A subject whose functions are values, so that the checks are compiled once for all libraries.
 #pragma once
 
 #include <functional>
@@ -31,7 +31,7 @@ struct AnySubject {
   OfState<Matrix<double>> coriolis_matrix;
 
   OfLoadedState<Derivatives> inverse_dynamics_fully_actuated_derivatives;
-  OfLoadedState<Derivatives> inverse_dynamics_derivatives;  // of a base that nothing holds
+  OfLoadedState<Derivatives> inverse_dynamics_derivatives;  // with a free base
   OfForces<Derivatives> forward_dynamics_derivatives, inverse_dynamics_gradient;
   OfLoadedPositions<Derivatives> gravity_forces_derivative;
 
@@ -41,7 +41,7 @@ struct AnySubject {
   OfLoadedPositions<Vector<double>> base_parameters;
   std::function<Matrix<double>(const State&, const State&, const Arguments&)> slotine_li_regressor;
 
-  std::function<double()> total_mass;  // of robots with parameters
+  std::function<double()> total_mass;  // for robots with parameters
   OfPositions<Vector<double>> center_of_mass;
   OfPositions<Matrix<double>> center_of_mass_jacobian, centroidal_momentum_matrix;
   OfState<double> kinetic_energy;
@@ -52,7 +52,7 @@ struct AnySubject {
   std::function<Matrix<double>(int index, const State&)> frame_function;
 };
 
-// A member function of a subject, which the result keeps alive.
+// Binds a member function to its subject, which the result keeps alive.
 template <class Subject, class Result, class... Argument>
 std::function<Result(Argument...)> bound(
     const std::shared_ptr<const Subject>& subject,

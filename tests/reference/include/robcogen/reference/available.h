@@ -1,5 +1,5 @@
-// Which functions a library has: those of the selected groups, except those that the robot's mass properties do not
-// allow (forward dynamics of a robot whose inertia matrix is singular). The library's own table says it.
+// The functions that a library has: those of the selected groups, except those that the robot's mass properties do not
+// allow (forward dynamics of a robot whose inertia matrix is singular). The library's own table lists them.
 //
 // Include the robot's reflection header first; needs ROBCOGEN_ROBOT_NAMESPACE.
 #pragma once

@@ -1,4 +1,4 @@
-// Functions over many states against the same functions of one.
+// Checks of functions over many states against the same functions of one state.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 
 namespace robcogen::reference {
 
-// Two of the widest blocks, and states that fill none.
+// Two of the widest blocks, and states that do not fill a block.
 inline constexpr int kManyStatesCount = 19;
 
-// One function in one layout, on every processor that this machine can stand for.
+// Checks one function in one layout, at every processor level that this machine can run.
 inline void check_batch(
     const Robot& robot,
     const reflection::Function& single,
@@ -53,7 +53,7 @@ inline void check_batch(
   }
 }
 
-// Every function of the table. One without a function over one state has an infinite error.
+// Checks every function of the table. A function without a counterpart for one state has an infinite error.
 inline void check_batches(
     const Robot& robot,
     const reflection::BatchFunctions& functions,

@@ -1,4 +1,4 @@
-// Checks of functions of contacts against the dense equations, through the table of functions.
+// Checks of contact functions against the dense equations, through the table of functions.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class ContactCheck {
   }
   bool has(const std::string& name) const { return find(name) != nullptr; }
 
-  // All results, one after another.
+  // Returns all results, one after another.
   Vector<Real> call(const std::string& name, const std::vector<Values>& arguments) const {
     const reflection::Function& f = *find(name);
     Values in = cache_, out(static_cast<std::size_t>(f.outputs));
@@ -75,7 +75,7 @@ class ContactCheck {
 
   Values base_velocity() const { return c_.floating ? c_.sample.motion.base_velocity.values() : Values(); }
   Values base_acceleration() const { return c_.floating ? c_.sample.motion.base_acceleration.values() : Values(); }
-  // As results have them: of the joints, then of the base.
+  // Returns the elements in the order of results: joints first, then the base.
   Vector<Real> joints_first(const Vector<Real>& x) const {
     const int n = c_.robot.dof();
     return c_.floating ? stacked(x.block(6, 0, n, 1), x.head(6)) : x.head(n);
@@ -111,7 +111,7 @@ class ContactCheck {
     for (const Vector<double>& wrench : c_.sample.external)
       external.insert(external.end(), wrench.values().begin(), wrench.values().end());
     for (const Overload& o : overloads(c_.sample)) {
-      // The kernels are those that take all arguments, or standard gravity alone.
+      // There are kernels with all arguments, and kernels with standard gravity only.
       const bool all = o.arguments.gravity != nullptr && o.arguments.external != nullptr;
       const bool folded = o.arguments.gravity == nullptr && o.arguments.external == nullptr && !c_.floating;
       if (!all && !folded) continue;
@@ -200,7 +200,7 @@ class ContactCheck {
   }
 };
 
-// Nothing where the robot has no contacts.
+// Does nothing if the robot has no contacts.
 inline void check_contacts(const Case& c, const std::vector<double>& cache, std::mt19937_64& engine, Checks& checks) {
   if (c.robot.contacts.size > 0) ContactCheck(c, cache, engine, checks).run();
 }

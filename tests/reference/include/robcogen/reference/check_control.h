@@ -1,4 +1,4 @@
-// Checks of functions for controllers: centre of mass, centroidal momentum, energies, the Coriolis matrix. Each
+// Checks of functions for controllers: centre of mass, centroidal momentum, energies, and the Coriolis matrix. Each
 // function records the errors of one sample.
 #pragma once
 
@@ -11,13 +11,14 @@ inline constexpr Tolerance kCenter{"kCenter", 1e-13, "rounding of sums over link
 inline constexpr Tolerance kSkew{
     "kSkew", 1e-11, "a fourth-order difference of 1e-4 rad of the reference, rounded as far as double has it"};
 
-// Upper bounds of the sums that the centre of mass is made of: the lengths (m) of links' mass times distance.
+// Upper bound (m) of the sums from which the centre of mass is computed: mass times distance of each link, over the
+// mass.
 inline Real center_length(const Case& c, Real mass) {
   const std::vector<Matrix<Real>> poses = link_poses(c.robot, c.motion.q);
   Real sum = 0;
   for (int i = first_moving_link(c.robot); i < c.robot.links.size; ++i) {
     const reflection::Link& link = c.robot.links[i];
-    // Origins on the way here are part of the sum, however near the link ends.
+    // Origins along the path are part of the sum, even if the link ends up near the base.
     Real reach = largest(center_of_mass<Real>(link)) + largest(origin_of(poses[static_cast<std::size_t>(i)]));
     for (const int j : supporting_joints(c.robot, i))
       reach += largest(origin_of(poses[static_cast<std::size_t>(c.robot.joints[j].child)]));
@@ -26,7 +27,8 @@ inline Real center_length(const Case& c, Real mass) {
   return sum / mass;
 }
 
-// Centre of mass and its velocity. Both are judged by the lengths that enter, and these times the speeds.
+// Checks the centre of mass and its velocity. Errors are relative to the lengths that enter, and to these times the
+// speeds.
 template <class Subject>
 void check_center_of_mass(const Subject& subject, const Case& c, Checks& checks) {
   const Vector<double>& q = c.sample.motion.q;
@@ -48,7 +50,7 @@ void check_center_of_mass(const Subject& subject, const Case& c, Checks& checks)
   if (terms > 0) checks.record("center_of_mass_jacobian", kForce, largest(J * velocity - expected) / terms, c.index);
 }
 
-// Angular momentum is that about the centre of mass.
+// Angular momentum is about the centre of mass.
 template <class Subject>
 void check_centroidal_momentum(const Subject& subject, const Case& c, Checks& checks) {
   const Real mass = moving_mass(c.robot);
@@ -59,7 +61,7 @@ void check_centroidal_momentum(const Subject& subject, const Case& c, Checks& ch
   Vector<Real> com(3);
   if (mass != 0) com = 1 / mass * first_moment(c.robot, c.motion.q);
   const Vector<Real> expected = stacked(about_origin.head(3) - cross(com, linear), linear);
-  // Moving the momentum from the base origin takes terms of their own.
+  // Moving the momentum from the base origin adds terms of its own.
   const Vector<Real> sums = magnitude(A) * magnitude(velocity);
   const Real lever = mass == 0 ? 0 : center_length(c, mass);
   const Real linear_terms = largest(sums.tail(3));
@@ -71,11 +73,11 @@ void check_centroidal_momentum(const Subject& subject, const Case& c, Checks& ch
     checks.record("centroidal_momentum_matrix (angular)", kForce, largest(error.head(3)) / angular_terms, c.index);
 }
 
-// P3: a robot that nothing but gravity acts on changes its momentum by its weight, and by that alone:
-// d/dt(A v) + w x (A v) = (0, m g) in the turning axes of the base.
+// P3: under gravity alone, the momentum of a robot changes by its weight only: d/dt(A v) + w x (A v) = (0, m g) in the
+// rotating axes of the base.
 template <class Subject>
 void check_free_fall(const Subject& subject, const Case& c, Checks& checks) {
-  // Of followers q of other positions would have to be closed.
+  // With followers in q, the loops would have to be closed again at other positions.
   if (!c.floating || c.robot.followers.size > 0) return;
   const Motion<double>& m = c.sample.motion;
   const double speed = speed_of(c.robot, m), step = step_of_time(c.robot, m);
@@ -140,7 +142,7 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
 
   Real speed = 1;
   for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
-  const Real step = 1e-4L / speed;  // s: the longest chain turns by 1e-4 rad at most
+  const Real step = 1e-4L / speed;  // s: the longest chain rotates by 1e-4 rad at most
   const auto inertia = [&](Real steps) {
     Motion<Real> there;
     there.q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
@@ -148,7 +150,7 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
     there.qd = Vector<Real>(c.motion.qd.rows());
     const AtLoops loops = c.loops->near(there);
     Robot robot = loops.robot();
-    robot.joints = c.robot.joints;  // whose drives may be left out
+    robot.joints = c.robot.joints;  // the case may leave out their drives
     return joint_space_inertia(robot, there.q);
   };
   const Matrix<Real> change = 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));

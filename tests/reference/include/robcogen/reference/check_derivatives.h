@@ -10,7 +10,7 @@ namespace robcogen::reference {
 inline constexpr Tolerance kDerivative{
     "kDerivative", 1e-10, "a fourth-order difference of 3e-5 rad of the reference, rounded as far as double has it"};
 
-// What a function gives, as the variables of its motion change: along a direction of its own for each block of columns.
+// Random directions in which the variables of a motion change, one for each block of columns.
 struct Directions {
   Vector<double> q, qd, last;  // by joint; the last are qdd, or tau
   Vector<double> base_rotation, base_velocity, base_acceleration;
@@ -26,14 +26,14 @@ struct Directions {
   }
 };
 
-// A motion, and what acts on it.
+// A motion, and the loads and forces that act in it.
 struct Situation {
   Motion<Real> motion;
   Loads<Real> loads;
-  Vector<Real> tau;  // of forward dynamics
+  Vector<Real> tau;  // for forward dynamics
 };
 
-// Of the robot in another situation, where joints follow through loops in other proportions: f(robot, situation).
+// Returns f(robot, situation), for the robot whose followers move in the proportions of that situation.
 template <class F>
 Vector<Real> in_situation(const Case& c, Situation s, const F& f) {
   if (c.loops == nullptr || c.motion.of_loops.empty()) return f(c.robot, s);
@@ -48,7 +48,7 @@ Vector<Real> difference(const F& f) {
   return 1 / (12 * kStep) * (Real(8) * (f(kStep) - f(-kStep)) - (f(2 * kStep) - f(-2 * kStep)));
 }
 
-// Gravity in the coordinates of a base that has turned by this, small, vector: exp(-[turn]x) g.
+// Gravity in the coordinates of a base that has rotated by the small vector `turn`: exp(-[turn]x) g.
 inline Vector<Real> seen_from_turned_base(const Vector<Real>& gravity, const Vector<Real>& turn) {
   Vector<Real> term = gravity, sum = gravity;
   for (int k = 1; k <= 8; ++k) {
@@ -58,15 +58,15 @@ inline Vector<Real> seen_from_turned_base(const Vector<Real>& gravity, const Vec
   return sum;
 }
 
-// Differences take their time: all blocks in one overload, the one that all loads enter, and `d_q` in the others.
+// Differences take time: all blocks are compared in the overload with all loads, and only `d_q` in the others.
 enum class Blocks { all, d_q };
 
 inline Blocks blocks_of(const Overload& o) {
   return o.arguments.gravity != nullptr && o.arguments.external != nullptr ? Blocks::all : Blocks::d_q;
 }
 
-// The blocks that one function has. `value` computes it in a situation, `terms` are the sizes of what its results are
-// sums of.
+// Checks the blocks that one function has. `value` computes its result in a situation; `terms` are the sizes of the
+// terms that the elements of the result sum.
 template <class Value>
 void check_blocks(
     const std::string& name,
@@ -128,7 +128,7 @@ void check_inverse_dynamics_derivatives(const Subject& subject, const Case& c, C
   }
 }
 
-// Of a base that nothing holds.
+// With a free base.
 template <class Subject>
 void check_free_inverse_dynamics_derivatives(const Subject& subject, const Case& c, Checks& checks) {
   if (!c.floating) return;
@@ -169,8 +169,8 @@ void check_forward_dynamics_derivatives(const Subject& subject, const Case& c, C
   }
 }
 
-// The gradient of weights times (base wrench, tau), along the directions of the other checks. The subject gives rows of
-// one element.
+// The gradient of weights times (base wrench, tau), along the directions of the other checks. The subject returns each
+// block as a column.
 template <class Subject>
 void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Checks& checks) {
   std::mt19937_64 engine(static_cast<std::uint64_t>(c.index));
@@ -212,7 +212,7 @@ void check_inverse_dynamics_gradient(const Subject& subject, const Case& c, Chec
   }
 }
 
-// Only by q and by a turn of the base.
+// Derivatives with respect to q and to a rotation of the base only.
 template <class Subject>
 void check_gravity_forces_derivative(const Subject& subject, const Case& c, Checks& checks) {
   const Motion<double> rest = at_rest(c.robot, c.sample.motion.q);
@@ -230,7 +230,7 @@ void check_gravity_forces_derivative(const Subject& subject, const Case& c, Chec
         "gravity_forces_derivative" + o.suffix, c, actual, {cast<Real>(rest), o.loads, {}}, forces.terms, value,
         Blocks::all, checks);
     if (c.floating) continue;
-    // But turns about two axes of a spherical joint do not commute.
+    // Rotations about two axes of a spherical joint do not commute, so the matrix is not symmetric there.
     const auto commute = [&](int i, int j) {
       return c.robot.joints[i].type != JointType::spherical || c.robot.joints[i].child != c.robot.joints[j].child;
     };

@@ -13,11 +13,11 @@ inline constexpr Tolerance kAcceleration{
     "kAcceleration", 1e-11, "rounding of the forces, carried to accelerations by the inverse of H"};
 inline constexpr Tolerance kInertia{"kInertia", 1e-12, "rounding of a sum of positive terms"};
 
-// A sample, and the reference of all its checks.
 class AtLoops;
 
+// A sample, and the reference of all its checks.
 struct Case {
-  // `at_loops`: of the robot; nullptr for one without loops.
+  // `at_loops` belongs to the robot; nullptr if the robot has no loops.
   Case(const Robot& tables, const Sample& random, int number, const AtLoops* at_loops = nullptr)
       : robot(tables),
         loops(at_loops),
@@ -38,12 +38,12 @@ struct Case {
   Matrix<Real> inverse_magnitude;
 };
 
-// The reference in all 6 + n coordinates, for comparison with a robot of this base.
+// Cuts a vector of all 6 + n coordinates to those of the robot: all of them for a floating base, else the last n.
 inline Vector<Real> cut(bool floating, const Vector<Real>& base_and_joints) {
   return floating ? base_and_joints : base_and_joints.tail(base_and_joints.rows() - 6);
 }
 
-// Base and joints apart, angular and linear too, since their units differ.
+// Base and joints are judged separately, and so are angular and linear parts, because their units differ.
 inline Real blockwise_error(
     bool floating,
     const Vector<double>& actual,
@@ -58,14 +58,14 @@ inline Real blockwise_error(
   return worst_of({error(0, 3), error(3, 3), error(6, actual.rows() - 6)});
 }
 
-// One overload of a function: its arguments, and the loads that they mean.
+// One overload of a function: its arguments, and the loads that they stand for.
 struct Overload {
   std::string suffix;
   Arguments arguments;
   Loads<Real> loads;
 };
 
-// The arguments point into the sample.
+// The arguments are pointers into the sample.
 inline std::vector<Overload> overloads(const Sample& s) {
   const Vector<double> standard{0, 0, -9.81};
   return {
@@ -75,7 +75,7 @@ inline std::vector<Overload> overloads(const Sample& s) {
       {" (gravity, wrenches)", {&s.gravity, &s.external}, loads<Real>(s.gravity, s.external)}};
 }
 
-// A result, and the sizes of the terms that its elements are sums of.
+// A result, and the sizes of the terms that its elements sum.
 struct Expected {
   Vector<Real> value;
   Vector<Real> terms;
@@ -88,7 +88,7 @@ inline Expected expected_forces(const Case& c, const Motion<double>& motion, con
   return {cut(c.floating, value), cut(c.floating, terms)};
 }
 
-// Base acceleration and joint forces of a free base.
+// Base acceleration and joint forces with a free base.
 inline Expected expected_free_motion(const Case& c, const Loads<Real>& loads) {
   const InverseDynamics<Real> free = inverse_dynamics(c.robot, c.motion, loads);
   Motion<double> motion = c.sample.motion;
@@ -153,7 +153,7 @@ void check_bias_forces(const Subject& subject, const Case& c, Checks& checks) {
   compare("coriolis_forces", subject.coriolis_forces(s.motion), steady, without_passive<Real>(Vector<double>(3)));
 }
 
-// Friction included, whose direction is told apart from the velocity by rounding only.
+// Includes friction, whose direction is uncertain only where the velocity is within rounding of zero.
 template <class Subject>
 void check_passive_forces(const Subject& subject, const Case& c, Checks& checks) {
   Motion<double> rest = c.sample.motion;
@@ -171,7 +171,7 @@ void check_passive_forces(const Subject& subject, const Case& c, Checks& checks)
 template <class Subject>
 void check_forward_dynamics(const Subject& subject, const Case& c, Checks& checks) {
   for (const Overload& o : overloads(c.sample)) {
-    // Joint forces that the sample's motion takes, so that accelerations stay moderate for light robots too.
+    // The joint forces are those of the sample's motion, so that accelerations stay moderate for light robots, too.
     const Vector<double> tau = inverse_dynamics(c.robot, c.motion, o.loads).tau.cast<double>();
     const Vector<double> actual = subject.forward_dynamics(c.sample.motion, tau, o.arguments);
     checks.record(
@@ -180,7 +180,8 @@ void check_forward_dynamics(const Subject& subject, const Case& c, Checks& check
   }
 }
 
-// An element of a positive definite matrix is at most the geometric mean of its diagonal elements.
+// Upper bounds of the elements of H: an element of a positive definite matrix is at most the geometric mean of its
+// diagonal elements.
 inline Matrix<Real> inertia_magnitude(const Case& c) {
   Vector<Real> diagonal(c.H.rows());
   for (int i = 0; i < c.H.rows(); ++i) diagonal(i) = std::sqrt(std::abs(c.H(i, i)));

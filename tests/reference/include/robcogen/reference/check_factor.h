@@ -1,4 +1,4 @@
-// Checks of the factor L of H = L^T L and of solutions with it. Each function records the errors of one sample.
+// Checks of the factor L of H = L^T L, and of solutions with it. Each function records the errors of one sample.
 #pragma once
 
 #include "robcogen/reference/check_identities.h"
@@ -8,7 +8,7 @@ namespace robcogen::reference {
 inline constexpr Tolerance kFactor{
     "kFactor", 1e-12, "rounding of sums whose terms are bounded by the diagonal of H, carried through its inverse"};
 
-// Whether a rotor is on a link that does not carry its joint.
+// True if a rotor is on a link that does not carry the rotor's joint.
 inline bool has_rotor_elsewhere(const Robot& robot) {
   for (int turning = 0; turning < robot.joints.size; ++turning)
     for (int joint = 0; joint < robot.joints.size; ++joint)
@@ -16,9 +16,9 @@ inline bool has_rotor_elsewhere(const Robot& robot) {
   return false;
 }
 
-// Whether coordinate b is a, or carries it: with a floating base, its six come first, each the ancestor of the next.
-// Coupled joints, and rotors elsewhere than on the way to their joints, may tie any coordinates, in the order of the
-// library's choice.
+// True if coordinate b is a, or carries it. With a floating base its six coordinates come first, each the ancestor of
+// the next. Coupled joints, and rotors that are not on the path to their joints, may tie any coordinates, in an order
+// that the library chooses.
 inline bool carries(const Robot& robot, int b, int a) {
   const int first = robot.floating_base ? 6 : 0;
   if (robot.couplings.size > 0 || has_rotor_elsewhere(robot)) return true;
@@ -28,7 +28,7 @@ inline bool carries(const Robot& robot, int b, int a) {
   return std::find(path.begin(), path.end(), b - first) != path.end();
 }
 
-// By coordinate a: whether b carries it.
+// For each coordinate a: whether b carries it.
 using Ancestors = std::vector<std::vector<bool>>;
 
 inline Ancestors ancestors(const Robot& robot) {
@@ -41,7 +41,7 @@ inline Ancestors ancestors(const Robot& robot) {
   return table;
 }
 
-// Largest element where L has to be zero.
+// The largest element where L must be zero.
 inline double stray_of_triangle(const Ancestors& table, const Matrix<double>& L) {
   double stray = 0;
   for (int a = 0; a < L.rows(); ++a) {
@@ -51,7 +51,7 @@ inline double stray_of_triangle(const Ancestors& table, const Matrix<double>& L)
   return stray;
 }
 
-// The same of H^-1: zero unless something carries both.
+// The same for H^-1, which is zero unless some coordinate carries both.
 inline double stray_of_inverse(const Ancestors& table, const Matrix<double>& inverse) {
   double stray = 0;
   for (int a = 0; a < inverse.rows(); ++a) {
@@ -67,7 +67,7 @@ inline double stray_of_inverse(const Ancestors& table, const Matrix<double>& inv
 
 template <class Subject>
 void check_inertia_factor(const Subject& subject, const Case& c, Checks& checks) {
-  // Odd mass properties, which were warned of, make an indefinite matrix, which has no factor.
+  // Implausible mass properties, which the generator warns of, make H indefinite, so that it has no factor.
   if (!positive_definite(c.H)) return;
   const Vector<Real> acceleration = coordinates(c.floating, c.motion.base_acceleration, c.motion.qdd);
   const Vector<Real> x = c.H * acceleration;
@@ -98,7 +98,7 @@ void check_inertia_factor(const Subject& subject, const Case& c, Checks& checks)
       error_of(c, found.solution, {acceleration, c.inverse_magnitude * (H_terms * magnitude(acceleration))}), c.index);
 }
 
-// Forward dynamics the other way: H^-1 (tau - bias forces).
+// Forward dynamics by another method: H^-1 (tau - bias forces).
 template <class Subject>
 void check_factor_dynamics(const Subject& subject, const Case& c, Checks& checks) {
   if (!positive_definite(c.H)) return;

@@ -1,6 +1,6 @@
-// Checks of functions of pairs of frames other than transforms and Jacobians, all that a robot's tables list:
-// Jacobians in other references, derivatives by time, velocities and accelerations. Each function records the errors of
-// one sample.
+// Checks of functions of frame pairs other than transforms and Jacobians, for all that a robot's tables list: Jacobians
+// in other reference frames, time derivatives, velocities and accelerations. Each function records the errors of one
+// sample.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using reflection::FrameQuantity;
 inline constexpr Tolerance kFrameMotion{
     "kFrameMotion", 1e-13, "rounding of products of rotations, relative to lengths and powers of the rates"};
 
-// Columns of all joints. The scalar may be complex.
+// 6 x n, a column for every joint. The scalar may be complex.
 template <class Scalar>
 Matrix<Scalar> jacobian_in_target(const Robot& robot, const Vector<Scalar>& q, int left, int right) {
   const Matrix<Scalar> right_R_left = transpose(rotation_of(transform(robot, q, left, right)));
@@ -27,14 +27,14 @@ Matrix<Scalar> jacobian_in_target(const Robot& robot, const Vector<Scalar>& q, i
   return stacked(right_R_left * J.head(3), right_R_left * J.tail(3));
 }
 
-// The point of `right` at the origin of `left` moves with v + p x w.
+// The point that moves with `right` at the origin of `left` has the velocity v + p x w.
 template <class Scalar>
 Matrix<Scalar> spatial_jacobian(const Robot& robot, const Vector<Scalar>& q, int left, int right) {
   const Matrix<Scalar> J = frame_jacobian(robot, q, left, right);
   return stacked(J.head(3), J.tail(3) + skew(origin_of(transform(robot, q, left, right))) * J.head(3));
 }
 
-// The derivative by time of f(q, qd) by a complex step: exact to rounding.
+// The time derivative of f(q, qd), by a complex step: exact to rounding.
 template <class Function>
 Matrix<Real> rate_of(const Robot& robot, const Function& f, const Motion<Real>& m) {
   using Complex = std::complex<Real>;
@@ -45,7 +45,7 @@ Matrix<Real> rate_of(const Robot& robot, const Function& f, const Motion<Real>& 
   return value.mapped([&](const Complex& x) { return x.imag() / step; });
 }
 
-// Jacobians with the columns of all joints. `tangent_change`: AtLoops::change_of_tangent of a robot with loops.
+// Jacobians have the columns of all joints. `tangent_change` is AtLoops::change_of_tangent for a robot with loops.
 inline Matrix<Real> frame_quantity(
     const Robot& robot,
     const Motion<Real>& m,
@@ -58,7 +58,7 @@ inline Matrix<Real> frame_quantity(
         robot, [&](const auto& q, const auto&) { return frame_jacobian(robot, q, left, right); }, m);
   };
   const auto twist = [&](const auto& q, const auto& qd) { return spatial_jacobian(robot, q, left, right) * qd; };
-  // What joints add that follow through loops in a proportion that changes.
+  // The contribution of joints that follow through loops in a proportion that changes.
   const auto of_loops = [&](const auto& jacobian) {
     if (m.of_loops.empty()) return Matrix<Real>(6, 1);
     return jacobian(with_free_joints(robot), joint_positions(robot, m.q)) * m.of_loops;
@@ -122,8 +122,8 @@ inline std::vector<int> coordinates_of(const Robot& robot, const std::vector<int
   return {coordinates.begin(), coordinates.end()};
 }
 
-// The size of a quantity's terms, from that of the chain's Jacobians (m, or 1) and the sums of the contributions of its
-// joints.
+// The size of a quantity's terms. `lengths` is the size of the chain's Jacobians (m, or 1); `rates` and `accelerations`
+// are sums over its joints.
 inline Real terms_of(FrameQuantity quantity, Real lengths, Real rates, Real accelerations) {
   switch (quantity) {
     case FrameQuantity::jacobian_in_target:

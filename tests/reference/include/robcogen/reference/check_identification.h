@@ -1,5 +1,5 @@
-// Checks of regressors: times the parameters of the tables they are the forces and energies of the reference. Each
-// function records the errors of one sample.
+// Checks of regressors: multiplied by the parameters of the tables, they are the forces and energies of the reference.
+// Each function records the errors of one sample.
 #pragma once
 
 #include "robcogen/reference/check_control.h"
@@ -25,7 +25,7 @@ class Undriven {
   Robot robot_;
 };
 
-// Ten numbers a link that moves: mass, first moment, moments and products of inertia about the link's origin.
+// Ten numbers per moving link: mass, first moment, moments and products of inertia about the link's origin.
 inline Vector<Real> inertial_parameters_of(const Robot& robot) {
   std::vector<Real> numbers;
   for (int i = first_moving_link(robot); i < robot.links.size; ++i) {
@@ -39,8 +39,8 @@ inline Vector<Real> inertial_parameters_of(const Robot& robot) {
   return result;
 }
 
-// Of each joint inertia, damping, friction, stiffness, constant force; then momentum per rate of rotors on moving
-// links.
+// For each joint inertia, damping, friction, stiffness and constant force; then, for rotors on moving links, their
+// momentum per unit rate of the joint.
 inline Vector<Real> drive_parameters_of(const Robot& robot, bool passive) {
   std::vector<Real> numbers;
   for (const reflection::Joint& joint : robot.joints) {
@@ -57,7 +57,7 @@ inline Vector<Real> drive_parameters_of(const Robot& robot, bool passive) {
   return result;
 }
 
-// A matrix times parameters against a vector that it should be; judged by the terms of both.
+// Checks that a matrix times parameters is the expected vector; errors are relative to the terms of both.
 inline void check_product(
     const std::string& name,
     const Case& c,
@@ -86,7 +86,7 @@ void check_parameters_of_regressors(const Subject& subject, const Case& c, Check
   compare("drive_parameters", subject.drive_parameters(), drive_parameters_of(c.robot, true));
 }
 
-// Of inverse dynamics: of the links, and of the drives.
+// Checks the regressors of inverse dynamics: that of the links, and that of the drives.
 template <class Subject>
 void check_regressor(const Subject& subject, const Case& c, Checks& checks) {
   const Undriven bare(c);
@@ -138,7 +138,8 @@ void check_energy_regressor(const Subject& subject, const Case& c, Checks& check
   }
 }
 
-// The Coriolis matrix that a Slotine-Li regressor implies, column by column, as the subject of a check of that matrix.
+// The Coriolis matrix that a Slotine-Li regressor implies, computed column by column, as a subject of
+// check_coriolis_matrix.
 template <class Subject>
 class ImpliedCoriolisMatrix {
  public:
@@ -176,11 +177,11 @@ void check_slotine_li_regressor(const Subject& subject, const Case& c, Checks& c
   for (const Overload& o : overloads(c.sample)) {
     if (o.arguments.external != nullptr) continue;
     const std::string name = "slotine_li_regressor" + o.suffix;
-    // Its own motion as the reference.
+    // The reference motion is the motion itself.
     const Expected forces{
         cut(c.floating, generalized_forces(bare.robot(), c.motion, o.loads)), expected_forces(c, m, o.loads).terms};
     check_product(name, c, subject.slotine_li_regressor(m, m, o.arguments), parameters, forces, checks);
-    // No reference velocity.
+    // The reference motion has no velocity.
     Motion<double> at_once = m;
     at_once.qd = Vector<double>(m.qd.rows());
     at_once.base_velocity = Vector<double>(6);

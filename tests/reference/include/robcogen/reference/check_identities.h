@@ -13,7 +13,7 @@ inline constexpr Tolerance kEnergy{"kEnergy", 1e-12, "rounding of sums over all 
 inline constexpr Tolerance kDifference{
     "kDifference", 1e-8, "truncation and rounding of a fourth-order difference in double"};
 
-// P1: forces to accelerations and back.
+// P1: from forces to accelerations and back.
 template <class Subject>
 void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
   const Motion<double>& given = c.sample.motion;
@@ -39,7 +39,7 @@ void check_round_trips(const Subject& subject, const Case& c, Checks& checks) {
   }
 }
 
-// Whether the first is the second joint, or carries it.
+// True if `joint` is `other` or carries it.
 inline bool supports(const Robot& robot, int joint, int other) {
   const std::vector<int> path = supporting_joints(robot, robot.joints[other].child);
   return std::find(path.begin(), path.end(), joint) != path.end();
@@ -49,7 +49,7 @@ inline bool on_one_branch(const Robot& robot, int a, int b) {
   return supports(robot, a, b) || supports(robot, b, a);
 }
 
-// Whether the rotor of one joint is on a link that the other moves.
+// True if `joint` moves the link that carries the rotor of joint `turning`.
 inline bool moves_rotor(const Robot& robot, int joint, int turning) {
   const int carrier = robot.joints[turning].drive.rotor_carrier;
   if (carrier < 0) return false;
@@ -57,7 +57,7 @@ inline bool moves_rotor(const Robot& robot, int joint, int turning) {
   return std::find(path.begin(), path.end(), joint) != path.end();
 }
 
-// For each two elements of q, whether one joint of the first and one of the second are on one branch, or one carries
+// For each pair of elements of q: 1 if a joint of the first and one of the second are on one branch, or if one moves
 // the rotor of the other.
 inline Matrix<double> tied_coordinates(const Robot& robot) {
   Matrix<double> tied(robot.dof(), robot.dof());
@@ -70,7 +70,7 @@ inline Matrix<double> tied_coordinates(const Robot& robot) {
   return tied;
 }
 
-// P2: symmetric, positive definite, zero between branches that nothing ties.
+// P2: H is symmetric, positive definite, and zero between branches that nothing ties.
 template <class Subject>
 void check_inertia_structure(const Subject& subject, const Case& c, Checks& checks) {
   const Matrix<double> H = subject.joint_space_inertia(c.sample.motion.q);
@@ -86,11 +86,11 @@ void check_inertia_structure(const Subject& subject, const Case& c, Checks& chec
   }
   checks.record("P2: structural zeros of H", kExact, stray, c.index);
 
-  // Odd mass properties, which were warned of, make an indefinite matrix that is nevertheless right.
+  // Implausible mass properties, which the generator warns of, make H indefinite, although it is correct.
   if (positive_definite(c.H)) checks.record("P2: H positive definite", kExact, positive_definite(H) ? 0 : 1, c.index);
 }
 
-// P2: H, column by column, by inverse dynamics of unit accelerations.
+// P2: the columns of H are the inverse dynamics of unit accelerations.
 template <class Subject>
 void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks) {
   const int first = c.floating ? 6 : 0;
@@ -99,7 +99,7 @@ void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks
   Matrix<Real> terms = inertia_magnitude(c);
   for (int k = 0; k < columns.cols(); ++k) {
     Motion<double> unit = at_rest(c.robot, c.sample.motion.q);
-    // Springs act at rest too, and their forces are rounded.
+    // Springs act at rest, too, and their forces are rounded.
     const Vector<double> none = subject.inverse_dynamics_fully_actuated(unit, {&weightless, nullptr});
     if (k < first) unit.base_acceleration(k) = 1;
     if (k >= first) unit.qdd(k - first) = 1;
@@ -112,7 +112,7 @@ void check_inertia_columns(const Subject& subject, const Case& c, Checks& checks
       relative_error(columns.cast<Real>(), H.cast<Real>(), terms), c.index);
 }
 
-// P3: H against the sum of the links' energies and momenta.
+// P3: H agrees with the sums of the links' energies and momenta.
 template <class Subject>
 void check_energy(const Subject& subject, const Case& c, Checks& checks) {
   const Matrix<Real> H = subject.joint_space_inertia(c.sample.motion.q).template cast<Real>();
@@ -128,7 +128,7 @@ void check_energy(const Subject& subject, const Case& c, Checks& checks) {
       relative_error((H * velocity).head(6), momentum(c.robot, c.motion), terms.head(6)), c.index);
 }
 
-// One and the speeds of all joints.
+// One, plus the speeds of all joints.
 inline double speed_of(const Robot& robot, const Motion<double>& m) {
   double speed = 1;
   const Vector<double> rates = joint_rates(robot, m.qd);
@@ -136,15 +136,16 @@ inline double speed_of(const Robot& robot, const Motion<double>& m) {
   return speed;
 }
 
-// For differences by time (s): the longest chain turns by 0.01 rad at most, by less where proportions change.
+// A step for time differences (s): the longest chain rotates by 0.01 rad at most, by less where proportions change.
 inline double step_of_time(const Robot& robot, const Motion<double>& m) {
   return (robot.loops.size > 0 ? 1e-3 : 1e-2) / speed_of(robot, m);
 }
 
-// P3: dT/dt = v'(H v' + C) for T = v'Hv/2, so that 2 v'C = v'H'v: links Coriolis forces to the change of H in time.
+// P3: dT/dt = v'(H v' + C) for T = v'Hv/2, so that 2 v'C = v'H'v. This relates Coriolis forces to the change of H over
+// time.
 template <class Subject>
 void check_power(const Subject& subject, const Case& c, Checks& checks) {
-  if (c.robot.followers.size > 0) return;  // q of other positions would have to be closed
+  if (c.robot.followers.size > 0) return;  // the loops would have to be closed again at other positions
   const Motion<double>& m = c.sample.motion;
   const double step = step_of_time(c.robot, m);
   const double speed = speed_of(c.robot, m);
@@ -154,7 +155,7 @@ void check_power(const Subject& subject, const Case& c, Checks& checks) {
   const Matrix<double> change = 1 / (12 * step) * (8.0 * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
   const Vector<double> velocity = coordinates(c.floating, m.base_velocity, m.qd);
   const Vector<double> coriolis = subject.coriolis_forces(m);
-  // When nothing changes, only the rounding of H is visible.
+  // When H does not change, only its rounding is visible.
   const Matrix<double> rates = magnitude(change) + speed * magnitude(inertia(0));
   const double scale = dot(magnitude(velocity), magnitude(coriolis) + rates * magnitude(velocity));
   if (scale == 0) return;
@@ -162,7 +163,7 @@ void check_power(const Subject& subject, const Case& c, Checks& checks) {
   checks.record("P3: v'C = v'(dH/dt)v/2", kDifference, error / scale, c.index);
 }
 
-// P3: the potential energy's slope along each joint, by a fourth-order difference.
+// P3: gravity forces are the slopes of the potential energy along each joint, by a fourth-order difference.
 template <class Subject>
 void check_gravity_gradient(const Subject& subject, const Case& c, Checks& checks) {
   const Real step = 1e-3L;

@@ -1,5 +1,4 @@
-// Checks of a robot's transforms and Jacobians, all that its tables list. Each function records the errors of one
-// sample.
+// Checks of all transforms and Jacobians that a robot's tables list. Each function records the errors of one sample.
 #pragma once
 
 #include "robcogen/reference/check_dynamics.h"
@@ -27,8 +26,8 @@ void check_transforms(const Subject& subject, const Case& c, Checks& checks) {
   check_composition(pairs, all, c.index, checks);
 }
 
-// Twist of `right` with respect to `left` at the velocity qd, in coordinates of `left`: the pose's rate by a complex
-// step, exact to rounding.
+// The twist of `right` with respect to `left` at the velocity qd, in coordinates of `left`: the rate of the pose, by a
+// complex step, exact to rounding.
 inline Vector<double> frame_velocity(
     const Robot& robot,
     const Vector<double>& q,
@@ -53,7 +52,7 @@ void check_jacobians(const Subject& subject, const Case& c, Checks& checks) {
     const Matrix<Real> expected = jacobian(c.robot, c.motion.q, what);
     checks.record("jacobians", kJacobian, transform_error(J, expected), c.index);
 
-    // All joints move: J has to have a column for every one that has a part in it.
+    // All joints move, so J must have a column for every joint that moves the frame.
     Vector<double> rates(what.column_count);
     double speed = 1;
     for (int k = 0; k < what.column_count; ++k) {

@@ -1,4 +1,4 @@
-// A robot's parameters after updates of some of them, and after copies.
+// Checks of a robot's parameters after updates of some of them, and after copies.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Real differences(const Parameters& a, const Parameters& b) {
   return count;
 }
 
-// `after` for the parameters of one interface, `before` for the others.
+// Returns `after` for the parameters of one interface, and `before` for the others.
 inline std::vector<double> updated(
     const Robot& robot,
     const std::vector<double>& after,
@@ -38,7 +38,7 @@ inline std::vector<double> updated(
   return before;
 }
 
-// From values `before` to values `after` in steps.
+// Updates from values `before` to values `after`, at once and in steps.
 template <class R>
 void check_updates(
     const Robot& robot,

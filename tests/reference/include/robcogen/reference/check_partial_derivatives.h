@@ -1,4 +1,4 @@
-// Derivatives that a user asked for, against differences of the function's own results.
+// Checks of derivatives that a user asked for, against differences of the function's own results.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace robcogen::reference {
 inline constexpr Tolerance kPartial{
     "kPartial", 1e-7, "a fourth-order difference of 2e-4 in double, where one of half the step agrees"};
 
-// The results of the function, and of its derivatives, as one element of an input moves by a step.
+// The results of the function and of its derivatives, after a step of one element of an input.
 using Moved = std::function<std::vector<double>(int element, double step)>;
 
-// The derivative of results `value` to `value + rows` by an element.
+// The derivative of results `value` to `value + rows` with respect to one element.
 inline std::vector<double> difference_of(
     const Moved& moved,
     const reflection::Derivative& d,
@@ -32,8 +32,8 @@ inline std::vector<double> difference_of(
   return result;
 }
 
-// The largest error of a block relative to its largest element and the largest result, or NaN where no difference says
-// anything: near a pole, or near a velocity of zero in friction.
+// The largest error of a block, relative to its largest element and the largest result; NaN if no difference converges,
+// as near a pole, or in friction near zero velocity.
 inline Real error_of(const reflection::Derivative& d, const Moved& moved) {
   constexpr double kStep = 2e-4, kConverged = 1e-8;
   Real largest = 0, error = std::numeric_limits<Real>::quiet_NaN();
@@ -57,7 +57,8 @@ inline Real error_of(const reflection::Derivative& d, const Moved& moved) {
   return error;
 }
 
-// Moves inputs by a step of what a column of the derivative is by: of positions of spherical joints a turn.
+// Moves the inputs by a step of the variable of one column of the derivative. For positions of spherical joints that is
+// a rotation.
 using MoveInputs = std::function<void(
     const reflection::Function&,
     const reflection::Derivative&,
@@ -74,8 +75,8 @@ inline void move_number(
   inputs[static_cast<std::size_t>(d.input + element)] += step;
 }
 
-// `inputs` are those of a function in one state; `cache_of` gives the first of them from values of parameters, of which
-// `parameters` are those of that state.
+// `inputs_of` returns the inputs of a function in one state. `cache_of` computes their first part from parameter
+// values; `parameters` are the values of that state.
 inline void check_partial_derivatives(
     const reflection::Table<reflection::Function>& functions,
     const reflection::Table<reflection::Derivative>& derivatives,

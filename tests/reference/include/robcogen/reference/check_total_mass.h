@@ -1,11 +1,11 @@
-// The total mass of a robot with parameters.
+// Check of the total mass of a robot with parameters.
 #pragma once
 
 #include "robcogen/reference/check_dynamics.h"
 
 namespace robcogen::reference {
 
-// The mass of all that moves; zero where all of it is massless.
+// The mass of all moving links, or zero if all of them are massless.
 template <class Subject>
 void check_total_mass(const Subject& subject, const Robot& robot, Checks& checks, int sample) {
   Real mass = 0;

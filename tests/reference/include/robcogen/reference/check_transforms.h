@@ -1,5 +1,5 @@
-// Checks of coordinate transforms with no robot: each against its product of primitives, multiplied out as matrices in
-// long double, and against identities between them.
+// Checks of coordinate transforms without a robot: each against its product of primitives, multiplied out as matrices
+// in long double, and against identities between transforms.
 #pragma once
 
 #include "robcogen/reference/check_partial_derivatives.h"
@@ -16,7 +16,7 @@ struct ModelValues {
   std::vector<double> variables;
 };
 
-// Variables anywhere within a turn or so; parameters positive, as lengths are.
+// Variables are within about a turn; parameters are positive, like lengths.
 inline ModelValues random_values(std::mt19937_64& engine, const reflection::Transforms& model) {
   constexpr double kAngle = 3.2, kHalf = 0.75;
   ModelValues values;
@@ -25,7 +25,7 @@ inline ModelValues random_values(std::mt19937_64& engine, const reflection::Tran
   return values;
 }
 
-// The amounts of the factors of a transform.
+// The amounts of a transform's factors.
 inline std::vector<reflection::Amount> amounts(
     const reflection::ProductOfFactors& transform,
     const ModelValues& values) {
@@ -53,7 +53,8 @@ inline Matrix<Real> primitive(const reflection::Factor& factor, Real value) {
   return m;
 }
 
-// A transform multiplied out. `size` is the scale of rounding errors: amounts, and lengths of the parts.
+// A transform multiplied out. `size` is the scale of rounding errors: the largest of the amounts and of the lengths in
+// partial products.
 struct MultipliedOut {
   Matrix<Real> pose = Matrix<Real>::identity(4);
   Real size = 1;
@@ -77,8 +78,8 @@ Matrix<double> copy_of(const Eigen::Matrix<double, n, n>& m) {
   return result;
 }
 
-// The errors of all transforms for these values. Amounts that are NaN for them, such as a root of a negative length,
-// are skipped: `checked` marks the transforms that were compared.
+// Records the errors of all transforms for these values. A transform with an amount that is NaN, such as a root of a
+// negative length, is skipped: `checked` marks the transforms that were compared.
 inline void check_transforms(
     const reflection::Transforms& model,
     const ModelValues& values,

@@ -1,4 +1,4 @@
-// Functions that take precomputed sines and cosines, compared with the same functions of positions.
+// Checks of functions that take precomputed sines and cosines, against the same functions of positions.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@ inline bool divides(const reflection::Function& f) {
   return f.count.div > 0 || f.count.sqrt > 0;
 }
 
-// Of a check of this function against the same by another way.
+// Records the difference between a function's results and those computed in another way.
 inline void record_other_rounding(
     Checks& checks,
     const std::string& name,
@@ -28,11 +28,11 @@ inline void record_other_rounding(
   checks.record(name + which, divides(f) ? kOtherRoundingDivided : kOtherRounding, relative_difference, 0);
 }
 
-// Fewer angles may be left to the C library, while all joints together are not.
+// Sines of fewer angles may be computed by the C library; those of all joints together are not.
 inline constexpr int kComputedTogether = 4;
 
-// The largest difference between results of two ways, relative to the largest result of all calls: sums may cancel in
-// any one.
+// The largest difference between results computed in two ways, relative to the largest result of all calls, because
+// sums may cancel in any one.
 class Difference {
  public:
   // A NaN on one side only is an infinite error.
@@ -52,7 +52,7 @@ class Difference {
   Real difference_ = 0;
 };
 
-// Numbers of moderate size for all inputs, the cache of a robot with parameters before them.
+// Moderate numbers for all inputs, preceded by the cache of a robot with parameters.
 inline std::vector<double> random_inputs(
     std::mt19937_64& engine,
     const Robot& robot,
@@ -69,7 +69,7 @@ inline std::vector<double> random_inputs(
   return inputs;
 }
 
-// One function in many states. `cache` is empty where the robot has no parameters.
+// Checks one function in many states. `cache` is empty if the robot has no parameters.
 inline void check_core(
     const Robot& robot,
     const reflection::Function& f,
@@ -99,13 +99,14 @@ inline void check_core(
     f.call_core(in.data(), sine.data(), cosine.data(), found.data());
     given.add(expected, found);
   }
-  // The same sines where many are read; kernels whose limbs share lanes still add in another order than their cores.
+  // If many sines are read, they are the same; but kernels whose limbs share lanes add in another order than their
+  // cores.
   const std::string few = f.count.sincos >= kComputedTogether ? "" : ", few read";
   record_other_rounding(checks, "sines and cosines of all joints" + few, f, computed.relative());
   record_other_rounding(checks, "sines and cosines that are given", f, given.relative());
 }
 
-// Every function that reads sines or cosines of joints.
+// Checks every function that reads sines or cosines of joints.
 inline void check_trigonometry(
     const Robot& robot,
     const std::vector<double>& cache,

@@ -1,4 +1,4 @@
-// A list of named numerical checks: the largest error of each over many samples, against a tolerance with a reason.
+// A list of named numerical checks: the largest error of each over many samples, and a tolerance with a reason.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace robcogen::reference {
 
-// The reference computes with more digits than the library, where the platform has them.
+// The reference computes with more digits than the library, if the platform has them.
 using Real = long double;
 
 struct Tolerance {
@@ -19,18 +19,17 @@ struct Tolerance {
   const char* reason;
 };
 
-// How the checks of single precision are told from the others, and how much larger their tolerances are. These are
-// relative to the terms of the sums, and to these times the inverse of H: they follow from the robot's
-// condition.
+// The prefix of the checks of single precision, and the factor of their tolerances. Tolerances are relative to the
+// terms of the sums, or to these multiplied by the inverse of H, so they follow from the robot's condition.
 inline constexpr const char* kInSingle = "float: ";
 inline constexpr double kSingle = 0x1p25;
 
 class Checks {
  public:
-  // From here on, records are of results in single precision, or in double.
+  // Selects whether the records that follow are of results in single precision or in double.
   void in_single(bool single) { single_ = single; }
 
-  // Keeps the largest error of the check `name`; one that is not a number is the largest of all.
+  // Keeps the largest error of the check `name`; NaN counts as the largest of all.
   void record(const std::string& name, const Tolerance& tolerance, Real error, int sample) {
     Tolerance own = tolerance;
     if (single_) own.value *= kSingle;
@@ -46,7 +45,7 @@ class Checks {
     return static_cast<int>(std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return failed(e); }));
   }
 
-  // One line a check; all of them, or those that failed.
+  // One line per check: for all checks, or for those that failed.
   std::string report() const {
     return lines([](const Entry&) { return true; });
   }
@@ -93,7 +92,7 @@ class Checks {
   bool single_ = false;
 };
 
-// The largest of some errors; one that is not a number is the largest of all.
+// The largest of some errors; NaN counts as the largest of all.
 inline Real worst_of(std::initializer_list<Real> errors) {
   Real worst = 0;
   for (const Real error : errors) {
@@ -103,8 +102,8 @@ inline Real worst_of(std::initializer_list<Real> errors) {
   return worst;
 }
 
-// The largest difference between elements, each relative to the sum of magnitudes that the element results from.
-// Elements far smaller than the largest are judged by that one: their terms carry its rounding errors.
+// The largest difference between elements, each relative to the sum of magnitudes of the terms of that element.
+// Elements far smaller than the largest are judged by that one, because their terms carry its rounding errors.
 inline Real relative_error(const Matrix<Real>& actual, const Matrix<Real>& expected, const Matrix<Real>& terms) {
   constexpr Real kFar = 1e-4L;
   const Real floor = kFar * largest(terms);

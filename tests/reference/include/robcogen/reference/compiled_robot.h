@@ -1,5 +1,5 @@
 // A generated library as the subject of checks. `R` is the library's `Robot`, in double or in single precision; include
-// its header before. A robot with parameters carries their values.
+// its header first. A robot with parameters carries their values.
 #pragma once
 
 #include <type_traits>
@@ -17,7 +17,7 @@ inline constexpr bool kIsParametric = false;
 template <class R>
 inline constexpr bool kIsParametric<R, std::void_t<typename R::Parameters>> = true;
 
-// The first input of kernels of a robot with parameters; otherwise null.
+// The first input of the kernels of a robot with parameters; otherwise nullptr.
 template <class R>
 const double* cache_of([[maybe_unused]] const R& robot) {
   if constexpr (kIsParametric<R>) {
@@ -35,7 +35,7 @@ class CompiledRobot {
 
   explicit CompiledRobot(const Robot& tables, const R& robot = R()) : tables_(&tables), robot_(robot) {}
 
-  // The first input of its kernels; empty when the robot has no parameters.
+  // The first input of the kernels; empty if the robot has no parameters.
   std::vector<double> cache() const {
     if constexpr (kIsParametric<R>) {
       return {robot_.parameters.data(), robot_.parameters.data() + R::Parameters::size()};
@@ -44,7 +44,7 @@ class CompiledRobot {
     }
   }
 
-  // (base acceleration, tau): the results of the library, given qdd.
+  // (base acceleration, tau): the library's results for a given qdd.
   Vector<double> inverse_dynamics(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const JointPositions q = positions(m.q);
@@ -58,7 +58,7 @@ class CompiledRobot {
     });
   }
 
-  // (base wrench, tau), given the base acceleration too.
+  // (base wrench, tau), for a given base acceleration, too.
   Vector<double> inverse_dynamics_fully_actuated(const State& m, const Arguments& arguments) const {
     if constexpr (R::kFloatingBase) {
       return with(arguments, [&](const auto&... extra) {
@@ -97,7 +97,7 @@ class CompiledRobot {
     });
   }
 
-  // (base wrench, tau); `external` does not enter.
+  // (base wrench, tau); `external` is ignored.
   Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) { return forces(robot_.gravity_forces(positions(q), g...)); });
   }
@@ -126,7 +126,7 @@ class CompiledRobot {
     return {matrix(factor.L()), matrix(factor.inverse_L()), matrix(factor.inverse()), vector(factor.solve(right))};
   }
 
-  // For (base twist, qd), as H.
+  // Multiplies (base twist, qd), like H.
   Matrix<double> coriolis_matrix(const State& m) const {
     if constexpr (R::kFloatingBase) {
       return matrix(robot_.coriolis_matrix(positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity)));
@@ -135,7 +135,7 @@ class CompiledRobot {
     }
   }
 
-  // Of (base wrench, tau), or of tau on a fixed base.
+  // Derivatives of (base wrench, tau), or of tau with a fixed base.
   Derivatives inverse_dynamics_fully_actuated_derivatives(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const JointPositions q = positions(m.q);
@@ -154,7 +154,7 @@ class CompiledRobot {
     });
   }
 
-  // Of (base acceleration, tau).
+  // Derivatives of (base acceleration, tau).
   Derivatives inverse_dynamics_derivatives(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {
       const auto d = robot_.inverse_dynamics_derivatives(
@@ -163,7 +163,7 @@ class CompiledRobot {
     });
   }
 
-  // Of (base acceleration, qdd), or of qdd on a fixed base.
+  // Derivatives of (base acceleration, qdd), or of qdd with a fixed base.
   Derivatives forward_dynamics_derivatives(const State& m, const Vector<double>& tau, const Arguments& arguments)
       const {
     return with(arguments, [&](const auto&... extra) {
@@ -178,7 +178,7 @@ class CompiledRobot {
     });
   }
 
-  // Of weights times (base wrench, tau): columns.
+  // Derivatives of weights times (base wrench, tau), as columns.
   Derivatives inverse_dynamics_gradient(const State& m, const Vector<double>& weights, const Arguments& arguments)
       const {
     return with(arguments, [&](const auto&... extra) {
@@ -205,7 +205,7 @@ class CompiledRobot {
     });
   }
 
-  // Blocks q and base_rotation alone; `external` does not enter.
+  // Only the blocks q and base_rotation; `external` is ignored.
   Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
       const auto d = robot_.gravity_forces_derivative(positions(q), g...);
@@ -231,7 +231,7 @@ class CompiledRobot {
   Vector<double> inertial_parameters() const { return vector(robot_.inertial_parameters()); }
   Vector<double> drive_parameters() const { return vector(robot_.drive_parameters()); }
 
-  // With a fixed base, those of any gravity where it is an argument.
+  // With a fixed base and gravity as an argument, the regressor for any gravity.
   Matrix<double> base_regressor(const State& m, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
       return of_motion(m, [&](const auto&... state) {
@@ -265,7 +265,7 @@ class CompiledRobot {
     });
   }
 
-  // `r`: the reference velocities, and accelerations.
+  // `r` holds the reference velocities and accelerations.
   Matrix<double> slotine_li_regressor(const State& m, const State& r, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
       const JointPositions q = positions(m.q);
@@ -281,7 +281,7 @@ class CompiledRobot {
     });
   }
 
-  // Of robots with parameters; else it is a constant.
+  // For robots with parameters; for others it is a constant.
   double total_mass() const { return robot_.total_mass(); }
   Vector<double> center_of_mass(const Vector<double>& q) const { return vector(robot_.center_of_mass(positions(q))); }
   Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
@@ -298,12 +298,12 @@ class CompiledRobot {
       return robot_.kinetic_energy(positions(m.q), joints(m.qd));
     }
   }
-  // `external` does not enter.
+  // `external` is ignored.
   double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) { return robot_.potential_energy(positions(q), g...); });
   }
 
-  // By index into the tables.
+  // `index` refers to the tables.
   TransformForms transform(int index, const Vector<double>& q) const {
     const reflection::Transform& kernels = tables_->transforms[index];
     TransformForms forms;
@@ -357,7 +357,7 @@ class CompiledRobot {
     return BasicGravity<Scalar>(static_cast<Scalar>(g(0)), static_cast<Scalar>(g(1)), static_cast<Scalar>(g(2)));
   }
 
-  // Links are indexed by each robot's own enumeration; here by number.
+  // Each robot has its own enumeration of links; here they are numbered.
   template <class Link, int kLinkCount>
   static void assign(LinkWrenches<Scalar, Link, kLinkCount>& to, const std::vector<Vector<double>>& from) {
     for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = spatial<BasicWrench<Scalar>>(from[i]);
@@ -419,7 +419,7 @@ class CompiledRobot {
         arguments, [&](const auto&... g) { return arguments.external == nullptr ? call(g...) : call(g..., wrenches); });
   }
 
-  // Without an argument, standard gravity: with a fixed base by the overload without gravity.
+  // Without a gravity argument, standard gravity applies: with a fixed base through the overload without gravity.
   template <class Call>
   static auto with_gravity(const Arguments& arguments, const Call& call) {
     if (arguments.gravity != nullptr) return call(gravity(*arguments.gravity));

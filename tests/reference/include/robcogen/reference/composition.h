@@ -1,4 +1,4 @@
-// Identities between coordinate transforms, whatever they are made of.
+// Identities between coordinate transforms, for any factors.
 #pragma once
 
 #include <vector>
@@ -12,20 +12,20 @@ namespace robcogen::reference {
 inline constexpr Tolerance kTransform{
     "kTransform", 1e-13, "rounding of a product of rotations, relative to the lengths"};
 
-// Relative to the lengths in the matrix, and to one, which its rotation has.
+// The error relative to the lengths in the matrix, and to one, the size of its rotation.
 template <class Scalar>
 Real transform_error(const Matrix<double>& actual, const Matrix<Scalar>& expected) {
   const Matrix<Real> wanted = expected.template cast<Real>();
   return largest(actual.cast<Real>() - wanted) / std::max(Real(1), largest(wanted));
 }
 
-// Of left_X_right.
+// The frames of left_X_right.
 struct FramePair {
   int left;
   int right;
 };
 
-// The three forms are those of one transform.
+// Checks that the three forms represent one transform.
 inline void check_duality(const TransformForms& X, int sample, Checks& checks) {
   checks.record(
       "P5: motion form of the homogeneous one", kTransform, transform_error(X.motion, motion_form(X.homogeneous)),
@@ -36,7 +36,7 @@ inline void check_duality(const TransformForms& X, int sample, Checks& checks) {
       transform_error(transpose(X.force) * X.motion, Matrix<double>::identity(6)) / lengths, sample);
 }
 
-// left_X_middle * middle_X_right = left_X_right wherever all three are given, and inverse pairs.
+// Checks left_X_middle * middle_X_right = left_X_right wherever all three are given, and inverse pairs.
 inline void check_composition(
     const std::vector<FramePair>& pairs,
     const std::vector<TransformForms>& all,

@@ -1,5 +1,5 @@
-// Contacts of a robot: how its coordinates move the contact frames, and wrenches and accelerations together by a dense
-// solve. Rows in the order of the robot's list, angular ones of surfaces first; base axes.
+// Contacts of a robot: Jacobians of the contact frames, and the accelerations and wrenches by a dense solve. Rows are
+// in the order of the robot's list, angular ones of surfaces first, in base axes.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ inline int contact_rows(const Robot& robot) {
   return rows;
 }
 
-// Of what is given by contact.
+// Expands one value per contact to one value per row.
 inline std::vector<double> by_row(const Robot& robot, const std::vector<double>& by_contact) {
   std::vector<double> result;
   for (int c = 0; c < robot.contacts.size; ++c)
@@ -27,7 +27,7 @@ Vector<Scalar> origin_in_link(const reflection::Frame& frame) {
   return {Scalar(frame.translation[0]), Scalar(frame.translation[1]), Scalar(frame.translation[2])};
 }
 
-// Angular velocity of a frame and velocity of its origin by (base twist, qd), or by qd with a fixed base.
+// Angular velocity of a frame and velocity of its origin, by (base twist, qd), or by qd with a fixed base.
 template <class Scalar>
 Matrix<Scalar> jacobian_with_base(const Robot& robot, const Vector<Scalar>& q, int frame) {
   const reflection::Frame& f = robot.frames[frame];
@@ -35,7 +35,7 @@ Matrix<Scalar> jacobian_with_base(const Robot& robot, const Vector<Scalar>& q, i
   return robot.floating_base ? J : J.block(0, 6, 6, J.cols() - 6);
 }
 
-// Their rates where neither joints nor base accelerate.
+// The rates of these velocities when neither joints nor base accelerate.
 template <class Scalar>
 Vector<Scalar> bias_with_base(const Robot& robot, Motion<Scalar> motion, int frame) {
   motion.qdd = Vector<Scalar>(motion.qd.rows());
@@ -46,7 +46,7 @@ Vector<Scalar> bias_with_base(const Robot& robot, Motion<Scalar> motion, int fra
   return stacked(link.angular_acceleration(), link.acceleration(origin_in_link<Scalar>(f)));
 }
 
-// The rows of all contacts, of what has six of each frame.
+// Stacks the rows of all contacts. `of_frame` returns six rows for each frame.
 template <class Scalar, class OfFrame>
 Matrix<Scalar> rows_of_contacts(const Robot& robot, int columns, const OfFrame& of_frame) {
   Matrix<Scalar> all(contact_rows(robot), columns);
@@ -72,10 +72,10 @@ Vector<Scalar> contact_bias(const Robot& robot, const Motion<Scalar>& motion) {
   return rows_of_contacts<Scalar>(robot, 1, [&](int frame) { return bias_with_base(robot, motion, frame); });
 }
 
-// (a, f) of
+// Returns (a, f), the solution of
 //     H a - J^T f = forces,     J a + compliance f = wanted,
-// over the rows that are active; f is zero elsewhere. nullopt where double precision solves it with a larger relative
-// error than `digits`.
+// over the active rows; f is zero elsewhere. Returns nullopt if the solution in double precision has a relative error
+// above `digits`.
 inline std::optional<Vector<long double>> solve_contacts(
     const Matrix<long double>& H,
     const Matrix<long double>& J,

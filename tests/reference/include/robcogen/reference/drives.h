@@ -1,6 +1,6 @@
-// Drives of joints: their inertia, rotors that spin on links, and the forces that they resist motion with.
+// Drives of joints: their inertia, rotors that spin on links, and the forces with which they resist motion.
 //
-// The mass properties of a link that carries a rotor include the rotor, as if it were fixed. What its spin adds is the
+// The mass properties of a link that carries a rotor include the rotor, as if it were fixed. Its spin adds the
 // momentum J N qd about the rotor's axis, which moves with the carrier.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace robcogen::reference {
 
-// How a joint follows the base and the elements of q: its row of [1 0; 0 G].
+// How the base and the elements of q move a joint: its row of [1 0; 0 G].
 template <class Scalar>
 Vector<Scalar> row_of_joint(const Robot& robot, int joint) {
   Vector<Scalar> row(6 + robot.dof());
@@ -16,7 +16,7 @@ Vector<Scalar> row_of_joint(const Robot& robot, int joint) {
   return row;
 }
 
-// Zero without rotor.
+// The axis of the rotor in base axes; zero without a rotor.
 template <class Scalar>
 Vector<Scalar> rotor_axis(const JointDrive& drive, const Matrix<Scalar>& carrier_pose) {
   const auto [x, y, z] = drive.rotor_axis;
@@ -33,13 +33,13 @@ inline bool has_inertia(const JointDrive& drive) {
   return drive.armature != 0 || drive.rotor_inertia != 0;
 }
 
-// Momentum of the rotor in its carrier at unit rate of the joint.
+// Momentum of the rotor in its carrier, per unit rate of the joint.
 template <class Scalar>
 Scalar momentum_of_rotor(const JointDrive& drive) {
   return Scalar(drive.rotor_inertia) * Scalar(drive.rotor_ratio);
 }
 
-// What drives add to the (6 + n) x (6 + n) matrix.
+// Adds the inertia of the drives to the (6 + n) x (6 + n) matrix.
 template <class Scalar>
 void add_drives(const Robot& robot, const std::vector<Matrix<Scalar>>& poses, Matrix<Scalar>& H) {
   for (int j = 0; j < robot.joints.size; ++j) {
@@ -57,7 +57,7 @@ void add_drives(const Robot& robot, const std::vector<Matrix<Scalar>>& poses, Ma
   }
 }
 
-// What the inertia of drives adds to (base wrench, tau).
+// The contribution of the drives' inertia to (base wrench, tau).
 template <class Scalar>
 Vector<Scalar> forces_on_drives(
     const Robot& robot,
@@ -82,7 +82,7 @@ Vector<Scalar> forces_on_drives(
   return forces;
 }
 
-// The part of the kinetic energy (J) that the lumped mass properties of the carriers do not have.
+// The part of the kinetic energy (J) that the lumped mass properties of the carriers do not include.
 template <class Scalar>
 Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& rates, const std::vector<LinkMotion<Scalar>>& links) {
   const Vector<Scalar> qd = joint_rates(robot, rates);
@@ -98,7 +98,7 @@ Scalar energy_of_drives(const Robot& robot, const Vector<Scalar>& rates, const s
   return energy;
 }
 
-// Angular momentum (N m s) of the spin of all rotors, base coordinates.
+// Angular momentum (N m s) of the spin of all rotors, in base coordinates.
 template <class Scalar>
 Vector<Scalar> momentum_of_rotors(
     const Robot& robot,
@@ -115,14 +115,14 @@ Vector<Scalar> momentum_of_rotors(
   return total;
 }
 
-// Coulomb friction of unit size.
+// Coulomb friction of unit size, smoothed over `velocity`.
 template <class Scalar>
 Scalar friction_direction(const Scalar& qd, double velocity) {
   if (velocity == 0) return Scalar(qd > Scalar(0) ? 1 : qd < Scalar(0) ? -1 : 0);
   return qd / std::sqrt(qd * qd + Scalar(velocity) * Scalar(velocity));
 }
 
-// What the joints have to overcome in their drives: damping, friction, springs.
+// The forces that the joints must overcome in their drives: damping, friction, springs.
 template <class Scalar>
 Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
   const Vector<Scalar> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);

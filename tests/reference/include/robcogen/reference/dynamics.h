@@ -50,7 +50,8 @@ Vector<Scalar> center_of_mass(const reflection::Link& link) {
   return {Scalar(link.com[0]), Scalar(link.com[1]), Scalar(link.com[2])};
 }
 
-// Rotational inertia about the centre of mass, link axes: Steiner's theorem from the link frame's origin.
+// Rotational inertia about the centre of mass, in link axes: parallel axis (Steiner's) theorem from the link frame's
+// origin.
 template <class Scalar>
 Matrix<Scalar> central_inertia(const reflection::Link& link) {
   const auto [xx, yy, zz, xy, xz, yz] = link.inertia;
@@ -65,7 +66,7 @@ Matrix<Scalar> central_inertia(const reflection::Link& link) {
   return about_origin - Scalar(link.mass) * (dot(c, c) * Matrix<Scalar>::identity(3) - c * transpose(c));
 }
 
-// Adds J' M J: what moves the body has columns that are not zero.
+// Adds J' M J, for the columns of J that are not zero: those of the coordinates that move the body.
 template <class Scalar>
 void add_body(const Matrix<Scalar>& J, const Matrix<Scalar>& M, Matrix<Scalar>& H) {
   std::vector<int> moving;
@@ -103,7 +104,7 @@ Matrix<Scalar> joint_space_inertia(const Robot& robot, const Vector<Scalar>& q) 
   return robot.floating_base ? H : H.block(6, 6, robot.dof(), robot.dof());
 }
 
-// An external wrench of a link, taken to the link's centre of mass and to base axes.
+// An external wrench of a link, moved to the link's centre of mass and to base axes.
 template <class Scalar>
 Vector<Scalar> wrench_at_center_of_mass(
     const reflection::Link& link,
@@ -162,8 +163,8 @@ Forces<Scalar> inverse_dynamics_fully_actuated(
   return split(generalized_forces(robot, motion, loads));
 }
 
-// Joint forces for given joint accelerations. A floating base is free: its acceleration follows, and what `motion` says
-// of it is ignored.
+// Joint forces for given joint accelerations. A floating base is free: its acceleration is a result, and the one in
+// `motion` is ignored.
 template <class Scalar>
 InverseDynamics<Scalar> inverse_dynamics(const Robot& robot, Motion<Scalar> motion, const Loads<Scalar>& loads) {
   motion.base_acceleration = Vector<Scalar>(6);
@@ -184,7 +185,7 @@ Forces<Scalar> bias_forces(const Robot& robot, Motion<Scalar> motion, const Load
   return split(generalized_forces(robot, motion, loads));
 }
 
-// Joint forces and base wrench that hold the robot still against gravity; no external wrenches, nor passive forces.
+// Joint forces and base wrench that hold the robot still against gravity, without external wrenches and passive forces.
 template <class Scalar>
 Forces<Scalar> gravity_forces(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
   return bias_forces(robot, at_rest(robot, q), {gravity, {}, false});
@@ -196,7 +197,7 @@ Forces<Scalar> coriolis_forces(const Robot& robot, const Motion<Scalar>& motion)
   return bias_forces(robot, motion, {Vector<Scalar>(3), {}, false});
 }
 
-// Accelerations for given joint forces, by a dense solve; a floating base carries no wrench but the external one. The
+// Accelerations for given joint forces, by a dense solve; only external wrenches act on a floating base. The
 // accelerations of `motion` are ignored.
 template <class Scalar>
 Accelerations<Scalar> forward_dynamics(

@@ -5,7 +5,7 @@
 
 namespace robcogen::reference {
 
-// J. The base counts with its twist, which is zero for a fixed base.
+// In J. The base contributes with its twist, which is zero for a fixed base.
 template <class Scalar>
 Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
   const std::vector<LinkMotion<Scalar>> links = link_motions(robot, motion);
@@ -20,19 +20,19 @@ Scalar kinetic_energy(const Robot& robot, const Motion<Scalar>& motion) {
   return energy + energy_of_drives(robot, motion.qd, links);
 }
 
-// The moving links: all from this one on, without a fixed base.
+// The first moving link: all links from this one on move, so a fixed base is excluded.
 inline int first_moving_link(const Robot& robot) {
   return robot.floating_base ? 0 : 1;
 }
 
-// kg, of the moving links.
+// The mass (kg) of the moving links.
 inline double moving_mass(const Robot& robot) {
   double mass = 0;
   for (int i = first_moving_link(robot); i < robot.links.size; ++i) mass += robot.links[i].mass;
   return mass;
 }
 
-// Mass times position of the centre of the moving links: kg m, base coordinates.
+// Mass times position of the centre of mass of the moving links: kg m, base coordinates.
 template <class Scalar>
 Vector<Scalar> first_moment(const Robot& robot, const Vector<Scalar>& q) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
@@ -45,7 +45,7 @@ Vector<Scalar> first_moment(const Robot& robot, const Vector<Scalar>& q) {
   return sum;
 }
 
-// J, zero when the centre of mass of the moving links is at the base origin; gravity (m/s^2) is in base coordinates.
+// In J; zero when the centre of mass of the moving links is at the base origin. Gravity (m/s^2) is in base coordinates.
 template <class Scalar>
 Scalar potential_energy(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& gravity) {
   return -dot(gravity, first_moment(robot, q));

@@ -1,7 +1,7 @@
-// Poses, velocities and Jacobians of an articulated robot by products of 4 x 4 matrices, base coordinates throughout.
+// Poses, velocities and Jacobians of an articulated robot by products of 4 x 4 matrices, all in base coordinates.
 //
-// Velocities and accelerations come from the product rule on those matrices (Uicker 1965), so no formula for Coriolis
-// or centripetal terms is written anywhere. For a floating base, "at rest" means at rest in the inertial frame that
+// Velocities and accelerations come from the product rule on those matrices (Uicker 1965), so that no formula for
+// Coriolis or centripetal terms is needed. For a floating base, "at rest" means at rest in the inertial frame that
 // coincides with the base frame at the instant considered.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace robcogen::reference {
 
 using reflection::Robot;
 
-// How coupled joints follow the others, dq/dy: a row a joint, a column an element of q.
+// How coupled joints follow the others, dq/dy: a row per joint, a column per element of q.
 template <class Scalar>
 Matrix<Scalar> coupling_matrix(const Robot& robot) {
   Matrix<Scalar> G(robot.joints.size, robot.dof());
@@ -22,7 +22,7 @@ Matrix<Scalar> coupling_matrix(const Robot& robot) {
   return G;
 }
 
-// The elements of q that move a joint, and by how much each: the row of the matrix that is not zero.
+// An element of q that moves a joint, and by what factor: a nonzero element of the joint's row of that matrix.
 struct Mover {
   int coordinate;
   double factor;
@@ -38,14 +38,14 @@ inline std::vector<Mover> movers_of(const Robot& robot, int joint) {
   return movers;
 }
 
-// Whether joints follow in proportions that change: through loops other than parallelograms (loops.h).
+// True if joints follow in proportions that change: through loops other than parallelograms (loops.h).
 inline bool follows_through_loops(const Robot& robot) {
   return std::any_of(robot.couplings.begin(), robot.couplings.end(), [](const reflection::Coupling& coupling) {
     return std::isnan(coupling.offset);
   });
 }
 
-// Velocities, or accelerations, of all joints.
+// Velocities or accelerations of all joints.
 template <class Scalar>
 Vector<Scalar> joint_rates(const Robot& robot, const Vector<Scalar>& rates) {
   Vector<Scalar> all(robot.joints.size);
@@ -54,7 +54,7 @@ Vector<Scalar> joint_rates(const Robot& robot, const Vector<Scalar>& rates) {
   return all;
 }
 
-// Positions of all joints; zero of spherical ones, whose positions are no numbers.
+// Positions of all joints; zero for spherical joints, whose positions are quaternions.
 template <class Scalar>
 Vector<Scalar> joint_positions(const Robot& robot, const Vector<Scalar>& q) {
   Vector<Scalar> numbers(robot.dof());
@@ -65,14 +65,14 @@ Vector<Scalar> joint_positions(const Robot& robot, const Vector<Scalar>& q) {
   return all;
 }
 
-// Base velocity and acceleration: twist and spatial acceleration in base coordinates, about the base origin; gravity
-// not included. Both are zero for a fixed base.
+// Base velocity and acceleration are a twist and a spatial acceleration in base coordinates, about the base origin;
+// gravity is not included. Both are zero for a fixed base.
 template <class Scalar>
 struct Motion {
   Vector<Scalar> q, qd, qdd;
   Vector<Scalar> base_velocity = Vector<Scalar>(6);
   Vector<Scalar> base_acceleration = Vector<Scalar>(6);
-  // By joint: accelerations that loops add at these velocities (loops.h); or none.
+  // For each joint, the acceleration that loops add at these velocities (loops.h); or empty.
   Vector<Scalar> of_loops = {};
 };
 
@@ -88,14 +88,14 @@ template <class Scalar>
 Motion<Scalar> at_rest(const Robot& robot, const Vector<Scalar>& q) {
   return {q, Vector<Scalar>(robot.dof()), Vector<Scalar>(robot.dof())};
 }
-// Of a robot without spherical joints.
+// For a robot without spherical joints.
 template <class Scalar>
 Motion<Scalar> at_rest(const Vector<Scalar>& q) {
   return {q, Vector<Scalar>(q.rows()), Vector<Scalar>(q.rows())};
 }
 
-// The positions after all joints have moved by `way`, an element a velocity: a spherical joint by the turn `way` about
-// axes of its child. The scalar may be complex.
+// The positions after all joints have moved by `way`, which has an element per velocity: a spherical joint rotates by
+// the vector `way` about axes of its child. The scalar may be complex.
 template <class Scalar>
 Vector<Scalar> moved(const Robot& robot, const Vector<Scalar>& q, const Vector<Scalar>& way) {
   Vector<Scalar> result = q;
@@ -124,8 +124,8 @@ Vector<Scalar> moved(const Robot& robot, const Vector<Scalar>& q, const Vector<S
   return result;
 }
 
-// Joints sorted so that each comes after the joint that supports its parent link; of a spherical one the first
-// component alone.
+// Joints sorted so that each comes after the joint that supports its parent link; of a spherical joint, only the first
+// component.
 inline std::vector<int> outward_order(const Robot& robot) {
   std::vector<int> joints;
   std::vector<int> links{0};
@@ -150,15 +150,15 @@ inline std::vector<int> supporting_joints(const Robot& robot, int link) {
   return joints;
 }
 
-// How far a joint slides per unit of its position.
+// The distance by which a joint slides per unit of its position.
 template <class Scalar>
 Scalar slide_per_unit(const reflection::Joint& joint) {
   if (joint.type == JointType::helical) return Scalar(joint.pitch);
   return Scalar(joint.type == JointType::prismatic ? 1 : 0);
 }
 
-// The motion of a joint as a matrix of its position: Rz(q), Tz(q), or of a screw Rz(q) Tz(p q); and its first two
-// derivatives by q.
+// The motion of a joint as a matrix of its position: Rz(q), Tz(q), or Rz(q) Tz(p q) for a screw; and its first two
+// derivatives with respect to q.
 template <class Scalar>
 Matrix<Scalar> joint_matrix(const reflection::Joint& joint, const Scalar& q) {
   Matrix<Scalar> m = turns(joint.type) ? rotation(2, q) : Matrix<Scalar>::identity(4);
@@ -189,7 +189,8 @@ Matrix<Scalar> joint_matrix_second_derivative(const reflection::Joint& joint, co
   return m;
 }
 
-// The rotation of a spherical joint, by its first component: v + 2 w u x v + 2 u x (u x v) for the quaternion (w, u).
+// The rotation of a spherical joint, given its first component: v + 2 w u x v + 2 u x (u x v) for the quaternion (w,
+// u).
 template <class Scalar>
 Matrix<Scalar> spherical_matrix(const Robot& robot, int joint, const Vector<Scalar>& q) {
   const int k = robot.position_of(joint);
@@ -199,13 +200,13 @@ Matrix<Scalar> spherical_matrix(const Robot& robot, int joint, const Vector<Scal
   return m;
 }
 
-// How the placed frame of a joint moves: its pose as a matrix, and the first two derivatives by time.
+// How the placed frame of a joint moves: its pose as a matrix, and the first two time derivatives.
 template <class Scalar>
 struct JointMotion {
   Matrix<Scalar> pose, rate, second_rate;
 };
 
-// With positions, velocities and accelerations of all joints.
+// `positions`, `velocities` and `accelerations` are those of all joints.
 template <class Scalar>
 JointMotion<Scalar> joint_motion(
     const Robot& robot,
@@ -220,7 +221,7 @@ JointMotion<Scalar> joint_motion(
     return {
         joint_matrix(joint, q), qd * joint_matrix_derivative(joint, q),
         qd * qd * joint_matrix_second_derivative(joint, q) + qdd * joint_matrix_derivative(joint, q)};
-  // With axes of the child: R' = R [w]x.
+  // In axes of the child: R' = R [w]x.
   const auto spin = [&](const Vector<Scalar>& rates) {
     Matrix<Scalar> m(4, 4);
     m.set_block(0, 0, skew(Vector<Scalar>{rates(j), rates(j + 1), rates(j + 2)}));
@@ -230,7 +231,7 @@ JointMotion<Scalar> joint_motion(
   return {R, R * W, R * (W * W + spin(accelerations))};
 }
 
-// Pose of each link in the base frame; the scalar may be complex.
+// The pose of each link in the base frame; the scalar may be complex.
 template <class Scalar>
 std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>& q) {
   std::vector<Matrix<Scalar>> poses(static_cast<std::size_t>(robot.links.size), Matrix<Scalar>::identity(4));
@@ -245,7 +246,7 @@ std::vector<Matrix<Scalar>> link_poses(const Robot& robot, const Vector<Scalar>&
   return poses;
 }
 
-// left_X_right as a homogeneous transform; frames by index.
+// left_X_right as a homogeneous transform; frames are given by index.
 template <class Scalar>
 Matrix<Scalar> transform(const Robot& robot, const Vector<Scalar>& q, int left, int right) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
@@ -256,19 +257,20 @@ Matrix<Scalar> transform(const Robot& robot, const Vector<Scalar>& q, int left, 
   return inverse_of(pose(left)) * pose(right);
 }
 
-// Pose of a link in the base frame, and the first and second time derivatives of that matrix at rest.
+// The pose of a link in the base frame, and the first and second time derivatives of that matrix with respect to a
+// frame at rest.
 template <class Scalar>
 struct LinkMotion {
   Matrix<Scalar> pose = Matrix<Scalar>::identity(4);
   Matrix<Scalar> rate = Matrix<Scalar>(4, 4);
   Matrix<Scalar> second_rate = Matrix<Scalar>(4, 4);
 
-  // rate = [w]x R and second_rate = ([w']x + [w]x [w]x) R in their rotation parts.
+  // The rotation parts are rate = [w]x R and second_rate = ([w']x + [w]x [w]x) R.
   Vector<Scalar> angular_velocity() const { return axis_of(rotation_of(rate) * transpose(rotation_of(pose))); }
   Vector<Scalar> angular_acceleration() const {
     return axis_of(rotation_of(second_rate) * transpose(rotation_of(pose)));
   }
-  // Of a point fixed to the link, given in link coordinates.
+  // For a point fixed to the link, given in link coordinates.
   Vector<Scalar> position(const Vector<Scalar>& point) const { return apply(pose, point); }
   Vector<Scalar> velocity(const Vector<Scalar>& point) const { return apply(rate, point); }
   Vector<Scalar> acceleration(const Vector<Scalar>& point) const { return apply(second_rate, point); }
@@ -288,7 +290,8 @@ std::vector<LinkMotion<Scalar>> link_motions(const Robot& robot, const Motion<Sc
   LinkMotion<Scalar>& base = links[0];
   base.rate.set_block(0, 0, spin);
   base.rate.set_block(0, 3, v);
-  // The spatial acceleration is that of the body-fixed point passing a point at rest; the origin itself has w x v more.
+  // The spatial acceleration is that of the body-fixed point passing a point at rest; the acceleration of the origin
+  // itself is larger by w x v.
   base.second_rate.set_block(0, 0, skew(motion.base_acceleration.head(3)) + spin * spin);
   base.second_rate.set_block(0, 3, motion.base_acceleration.tail(3) + spin * v);
 
@@ -322,7 +325,8 @@ Matrix<Scalar> body_jacobian(
   J.set_block(0, 0, Matrix<Scalar>::identity(6));
   J.set_block(3, 0, -skew(p));
   for (const int j : supporting_joints(robot, link)) {
-    // The z axis of the child's frame is the joint's axis, and its origin lies on it; a spherical joint has all three.
+    // The z axis of the child's frame is the joint's axis, and its origin lies on it; a spherical joint has all three
+    // axes.
     const Matrix<Scalar>& child = poses[static_cast<std::size_t>(robot.joints[j].child)];
     const Vector<Scalar> axis = child.block(0, robot.axis_of(j), 3, 1);
     const reflection::Joint& joint = robot.joints[j];
@@ -339,7 +343,8 @@ Matrix<Scalar> body_jacobian(
 }
 
 // left_J_right: angular velocity of `right` and velocity of its origin with respect to `left`, in coordinates of
-// `left`, by qd. 6 x n, all elements of q; those that are not between the two frames have zero columns.
+// `left`, by qd. 6 x n, for all elements of q; columns of elements that do not move one frame with respect to the other
+// are zero.
 template <class Scalar>
 Matrix<Scalar> frame_jacobian(const Robot& robot, const Vector<Scalar>& q, int left, int right) {
   const std::vector<Matrix<Scalar>> poses = link_poses(robot, q);
@@ -348,7 +353,7 @@ Matrix<Scalar> frame_jacobian(const Robot& robot, const Vector<Scalar>& q, int l
   const Matrix<Scalar>& left_link = poses[static_cast<std::size_t>(l.link)];
   const Matrix<Scalar>& right_link = poses[static_cast<std::size_t>(r.link)];
   const Vector<Scalar> point = origin_of(placement<Scalar>(r.translation, r.rotation));
-  // The point of the left link that lies where the origin of `right` is: both velocities are taken there.
+  // Both velocities are taken at one point: the point of the left link that is at the origin of `right`.
   const Matrix<Scalar> left_link_X_right_link = inverse_of(left_link) * right_link;
   const Vector<Scalar> same_point = rotation_of(left_link_X_right_link) * point + origin_of(left_link_X_right_link);
   const Matrix<Scalar> relative =
@@ -358,7 +363,7 @@ Matrix<Scalar> frame_jacobian(const Robot& robot, const Vector<Scalar>& q, int l
   return stacked(left_R_base * relative.block(0, 6, 3, n), left_R_base * relative.block(3, 6, 3, n));
 }
 
-// The named columns of frame_jacobian, in that order.
+// The columns of frame_jacobian that `what` names, in that order.
 template <class Scalar>
 Matrix<Scalar> jacobian(const Robot& robot, const Vector<Scalar>& q, const reflection::Jacobian& what) {
   const Matrix<Scalar> all = frame_jacobian(robot, q, what.left, what.right);

@@ -1,4 +1,4 @@
-// The processors that this machine can stand for in functions over many states.
+// The processor levels of functions over many states that this machine can run.
 #pragma once
 
 #include <vector>

@@ -1,9 +1,9 @@
-// Robots with loops, at one state: the loops are closed by Newton's method from the position in which they are
-// assembled, and joints that follow through them become coupled ones, by the tangent to what they do. Positions,
-// velocities and accelerations, and first derivatives by positions, are those of the robot.
+// Robots with loops, in one state. Newton's method closes the loops from the position in which they are assembled, and
+// joints that follow through them become coupled joints, linearised at that state. Positions, velocities,
+// accelerations, and first derivatives with respect to positions are those of the robot.
 //
-// Nothing of the generator's formulas is used: loops are rows of functions of all joints, whose derivatives are frame
-// Jacobians of the robot with all joints free, solved by least squares.
+// No formula of the generator is used: a loop is a set of rows, functions of all joints whose derivatives are frame
+// Jacobians of the robot with all joints free. The rows are solved by least squares.
 #pragma once
 
 #include <deque>
@@ -14,13 +14,13 @@
 
 namespace robcogen::reference {
 
-// All joints are coordinates.
+// The robot in which all joints are coordinates.
 inline Robot with_free_joints(Robot robot) {
   robot.couplings = {nullptr, 0};
   return robot;
 }
 
-// How the second frame of each loop is missed by the first, and the derivatives by all joints.
+// The errors by which the frames of each loop are apart, and their derivatives with respect to all joints.
 struct LoopRows {
   Vector<Real> error;
   Matrix<Real> columns;
@@ -48,7 +48,7 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
       }
     }
     if (loop.type == reflection::LoopType::hinge) {
-      // The direction of one axis across the other; it changes by w x z.
+      // The components of one frame's axis along x and y of the other frame; the axis changes by w x z.
       const Vector<Real> z = X.block(0, 2, 3, 1);
       for (int i = 0; i < 2; ++i) all.error(row + 3 + i) = z(i);
       for (int c = 0; c < J.cols(); ++c) {
@@ -57,7 +57,7 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
       }
     }
     if (is_slider || loop.type == reflection::LoopType::weld) {
-      // The columns of R turn by w x; where R is the identity each column of one row is that of w.
+      // The columns of R change by w x; where R is the identity, these rows are the components of w.
       const Matrix<Real> R = X.block(0, 0, 3, 3);
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -75,7 +75,7 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
   return all;
 }
 
-// dK/dt, by a difference of eighth order along the velocity.
+// dK/dt, by an eighth-order difference along the velocity.
 inline Matrix<Real> change_of_columns(const Robot& robot, const Vector<Real>& joints, const Vector<Real>& velocity) {
   const Real step = 1e-2L / (1 + std::sqrt(dot(velocity, velocity)));
   const auto columns = [&](Real steps) { return loop_rows(robot, joints + steps * step * velocity).columns; };
@@ -93,19 +93,19 @@ inline Vector<Real> change_of_rates(const Robot& robot, const Vector<Real>& join
 
 class AtLoops {
  public:
-  // Gives the motion the positions of joints that follow and are elements of q, and the accelerations that loops add.
+  // Sets in `motion` the positions of followers that are elements of q, and the accelerations that loops add.
   template <class Scalar>
   AtLoops(const Robot& robot, Motion<Scalar>& motion) : AtLoops(robot, motion, nullptr) {}
 
-  // At another motion, whose positions are next to these.
+  // The loops at another motion, whose positions are close to these.
   template <class Scalar>
   AtLoops near(Motion<Scalar>& motion) const {
     return AtLoops(looped_, motion, &joints_);
   }
 
   const Robot& robot() const { return robot_; }
-  // dG/dt at rates qd of the coordinates, with G the derivative of all joints by these: K dG/dt = -dK/dt G. Empty
-  // without dependent joints.
+  // dG/dt at the rates qd of the coordinates, where G is the derivative of all joints with respect to the coordinates:
+  // K dG/dt = -dK/dt G. Empty without dependent joints.
   Matrix<Real> change_of_tangent(const Vector<Real>& qd) const {
     if (dependent_.empty()) return {};
     const Matrix<Real> G = tangent(joints_);
@@ -116,25 +116,25 @@ class AtLoops {
       for (int c = 0; c < change.cols(); ++c) change(dependent_[d], c) = -followed(static_cast<int>(d), c);
     return change;
   }
-  // Whether the loops close, and not so near to where they are stretched that joints race.
+  // True if the loops close, not so near to a stretched position that followers move very fast.
   bool is_usual() const { return is_usual_; }
 
  private:
   Robot looped_, robot_;
   bool is_usual_ = true;
   std::vector<int> dependent_;  // joints
-  Vector<Real> joints_;         // positions, where some are dependent
+  Vector<Real> joints_;         // positions, if some are dependent
   std::deque<std::vector<double>> factors_;
   std::vector<reflection::Coupling> couplings_;
 
-  // `start`: positions of all joints; nullptr for those in which loops are assembled.
+  // `start` holds the positions of all joints; with nullptr, the loops are closed from the assembled position.
   template <class Scalar>
   AtLoops(const Robot& robot, Motion<Scalar>& motion, const Vector<Real>* start) : looped_(robot), robot_(robot) {
     if (robot.loops.size == 0) return;
     for (int k = 0; k < robot.couplings.size; ++k)
       if (std::isnan(robot.couplings[k].offset)) dependent_.push_back(robot.dof() + k);
     const Vector<Real> y = motion.q.template cast<Real>();
-    if (dependent_.empty()) {  // they close as exactly as the document has them
+    if (dependent_.empty()) {  // they close as exactly as the document draws them
       constexpr Real kDrawn = 1e-12L;
       is_usual_ = largest(loop_rows(robot_, joint_positions(robot_, y)).error) < kDrawn;
       return;
@@ -157,7 +157,7 @@ class AtLoops {
     return std::find(dependent_.begin(), dependent_.end(), joint) != dependent_.end();
   }
 
-  // Joints that do not follow through loops, at these coordinates; the others keep their positions.
+  // Sets the joints that do not follow through loops for these coordinates; the others keep their positions.
   void set_given(const Vector<Real>& y, Vector<Real>& joints) const {
     for (int j = 0; j < robot_.joints.size; ++j) {
       if (is_dependent(j)) continue;
@@ -174,12 +174,12 @@ class AtLoops {
     return K;
   }
 
-  // x with K x = b, by least squares: some rows say the same as others.
+  // x with K x = b, by least squares, because some rows are redundant.
   static Matrix<Real> least_squares(const Matrix<Real>& K, const Matrix<Real>& b) {
     return solve(transpose(K) * K, transpose(K) * b);
   }
 
-  // Along a straight way from where they are assembled.
+  // Follows a straight path from the assembled position.
   Vector<Real> closed(const Vector<Real>& y) const {
     constexpr int kSteps = 30;
     Vector<Real> joints(robot_.joints.size);
@@ -198,7 +198,7 @@ class AtLoops {
 
   static constexpr int kIterations = 12;
 
-  // Where the coordinates are at y, by Newton's method.
+  // Closes the loops for the coordinates y, by Newton's method.
   void close(const Vector<Real>& y, int iterations, Vector<Real>& joints) const {
     set_given(y, joints);
     for (int i = 0; i < iterations; ++i) {
@@ -216,7 +216,7 @@ class AtLoops {
     }
   }
 
-  // Of all joints by the coordinates.
+  // The derivative of all joints with respect to the coordinates.
   Matrix<Real> tangent(const Vector<Real>& joints) const {
     Matrix<Real> G(robot_.joints.size, robot_.dof());
     for (int j = 0; j < robot_.joints.size; ++j)
@@ -226,7 +226,7 @@ class AtLoops {
     const Matrix<Real> followed = least_squares(dependent_columns(K), K * G);
     for (std::size_t d = 0; d < dependent_.size(); ++d)
       for (int c = 0; c < robot_.dof(); ++c) {
-        // What is left of zero where a joint does not follow a coordinate.
+        // Rounding noise of a zero, where a joint does not follow a coordinate.
         constexpr Real kNothing = 1e-14L;
         const Real rate = followed(static_cast<int>(d), c);
         G(dependent_[d], c) = std::abs(rate) > kNothing ? -rate : 0;
@@ -260,7 +260,7 @@ class AtLoops {
   }
 };
 
-// Of a robot with loops, a state in which they are usual; of others, the robot itself.
+// Draws a state in which the loops of the robot are usual; a robot without loops is returned as it is.
 inline AtLoops draw(std::mt19937_64& engine, const Robot& robot, Sample& sample, bool single = false) {
   constexpr int kTries = 100;
   for (int i = 0;; ++i) {

@@ -1,7 +1,7 @@
 // Dense matrices of any size in plain loops.
 //
-// Each robot's self-check compiles this, so it has to compile in a moment; and what generated code is checked against
-// should not lean on the library that the generated interface is made of.
+// Each robot's self-check compiles this, so it must compile quickly; and the reference of generated code should not
+// depend on the library on which the generated interface is built.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace robcogen::reference {
 
-// Column by column. A vector is a matrix of one column. The scalar is real, or complex where no order is needed.
+// Column-major. A vector is a matrix of one column. The scalar is real, or complex where no order is needed.
 template <class Scalar>
 class Matrix {
  public:
   Matrix() = default;  // a vector without elements
 
-  // Zero.
+  // All elements are zero.
   explicit Matrix(int rows, int cols = 1)
       : rows_(rows), cols_(cols), values_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols)) {}
 
@@ -63,7 +63,7 @@ class Matrix {
     return mapped([](const Scalar& x) { return static_cast<Other>(x); });
   }
 
-  // f of each element.
+  // Applies f to each element.
   template <class Function>
   auto mapped(const Function& f) const {
     Matrix<decltype(f(Scalar()))> m(rows_, cols_);
@@ -87,7 +87,7 @@ class Matrix {
   friend Matrix operator*(const Matrix& a, const Matrix& b) {
     assert(a.cols_ == b.rows_);
     Matrix m(a.rows_, b.cols_);
-    // Whole columns, without the check of each index: random robots spend most of their time here.
+    // Adds whole columns, without checking each index: random robots spend most of their time here.
     for (int j = 0; j < b.cols_; ++j) {
       Scalar* sum = m.column(j);
       for (int k = 0; k < a.cols_; ++k) {
@@ -125,13 +125,13 @@ Matrix<Scalar> transpose(const Matrix<Scalar>& a) {
   return m;
 }
 
-// Magnitude of each element.
+// The magnitude of each element.
 template <class Scalar>
 Matrix<Scalar> magnitude(const Matrix<Scalar>& a) {
   return a.mapped([](const Scalar& x) { return std::abs(x); });
 }
 
-// The largest magnitude of an element; zero when there is none, not a number when one is not.
+// The largest magnitude of an element; zero if there is no element, NaN if an element is NaN.
 template <class Scalar>
 Scalar largest(const Matrix<Scalar>& a) {
   Scalar result(0);
@@ -158,7 +158,7 @@ Vector<Scalar> cross(const Vector<Scalar>& a, const Vector<Scalar>& b) {
   return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
 }
 
-// One above the other.
+// Stacks a above b.
 template <class Scalar>
 Matrix<Scalar> stacked(const Matrix<Scalar>& a, const Matrix<Scalar>& b) {
   Matrix<Scalar> m(a.rows() + b.rows(), a.cols());
@@ -167,7 +167,7 @@ Matrix<Scalar> stacked(const Matrix<Scalar>& a, const Matrix<Scalar>& b) {
   return m;
 }
 
-// The x of A x = b, for a square A and any number of right sides: Gaussian elimination with row pivoting.
+// Solves A x = b, for a square A and any number of right-hand sides: Gaussian elimination with row pivoting.
 template <class Scalar>
 Matrix<Scalar> solve(Matrix<Scalar> A, Matrix<Scalar> b) {
   const int n = A.rows();
@@ -197,7 +197,7 @@ Matrix<Scalar> solve(Matrix<Scalar> A, Matrix<Scalar> b) {
   return b;
 }
 
-// Whether a symmetric matrix has a Cholesky factor.
+// True if a symmetric matrix has a Cholesky factor.
 template <class Scalar>
 bool positive_definite(Matrix<Scalar> A) {
   for (int k = 0; k < A.rows(); ++k) {

@@ -1,4 +1,4 @@
-// Values of a robot's parameters: random ones that a real robot might have, and the robot's tables for them.
+// Values of a robot's parameters: random ones that are physically plausible, and the robot's tables for them.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace robcogen::reference {
 
-// The tables of a robot with the numbers of these values, computed by expressions of the document alone.
+// The tables of a robot for these parameter values, computed by the expressions of the document only.
 class RobotOf {
  public:
   RobotOf(const Robot& robot, const std::vector<double>& values)
@@ -82,7 +82,7 @@ class RobotOf {
   Robot robot_;
 };
 
-// The declared defaults; nullopt where a parameter has none.
+// The declared defaults, or nullopt if a parameter has none.
 inline std::optional<std::vector<double>> default_values(const Robot& robot) {
   std::vector<double> values;
   for (const reflection::Parameter& p : robot.parameters) values.push_back(p.default_value);
@@ -91,14 +91,14 @@ inline std::optional<std::vector<double>> default_values(const Robot& robot) {
   return values;
 }
 
-// Whether a body can have these mass properties: a positive mass, and a positive definite inertia about the centre of
-// mass, the smallest moment larger than `share` of all. Massless links can.
+// True if a body can have these mass properties: a positive mass, and a positive definite inertia about the centre of
+// mass whose smallest moment is larger than `share` of the sum of moments. Massless links are accepted.
 inline bool is_body(const reflection::Link& link, double share) {
   const auto [xx, yy, zz, xy, xz, yz] = link.inertia;
   if (link.mass == 0) return xx == 0 && yy == 0 && zz == 0;
   const auto [x, y, z] = link.com;
   const double m = link.mass;
-  // Sylvester's criterion for the inertia less `least` times the unit matrix.
+  // Sylvester's criterion for the inertia minus `least` times the identity.
   const double least = share * (std::abs(xx) + std::abs(yy) + std::abs(zz));
   const double a = xx - m * (y * y + z * z) - least, b = yy - m * (x * x + z * z) - least;
   const double c = zz - m * (x * x + y * y) - least;
@@ -107,8 +107,8 @@ inline bool is_body(const reflection::Link& link, double share) {
   return m > 0 && a > 0 && minor > 0 && minor * c - a * f * f + 2 * d * e * f - b * e * e > 0;
 }
 
-// One value, at random: near the default, or else of the size of a limb. Also the sign and the size of a parameter
-// without default are free, but the result must be a body.
+// One random value: near the default, or else about the size of a limb. The sign and the size of a parameter without
+// default are random, too, but the result must be a body.
 inline double random_value(std::mt19937_64& engine, const reflection::Parameter& p) {
   if (!std::isnan(p.default_value)) return p.default_value * (1 + uniform(engine, 0.2)) + uniform(engine, 0.01);
   if (!p.dynamics) return uniform(engine, 1.5);
@@ -116,7 +116,7 @@ inline double random_value(std::mt19937_64& engine, const reflection::Parameter&
   return uniform(engine, 1) < -0.5 ? -size : size;
 }
 
-// The numbers of a link.
+// The mass properties of a link.
 inline std::vector<double> numbers_of(const reflection::Link& link) {
   std::vector<double> numbers = {link.mass};
   numbers.insert(numbers.end(), std::begin(link.com), std::end(link.com));
@@ -124,7 +124,7 @@ inline std::vector<double> numbers_of(const reflection::Link& link) {
   return numbers;
 }
 
-// By link: the parameters that change its numbers.
+// For each link, the parameters that change its mass properties.
 inline std::vector<std::vector<int>> dependencies(const Robot& robot, const std::vector<double>& values) {
   std::vector<std::vector<int>> result(static_cast<std::size_t>(robot.links.size));
   const RobotOf here(robot, values);
@@ -140,11 +140,11 @@ inline std::vector<std::vector<int>> dependencies(const Robot& robot, const std:
   return result;
 }
 
-// Random values with which all links that depend on them are bodies; nullopt where none were found. What a link that is
-// none depends on is drawn anew until all are.
+// Random values for which all links that depend on them are bodies, or nullopt if none were found. While a link is not
+// a body, the parameters that it depends on are drawn again.
 inline std::optional<std::vector<double>> random_values(std::mt19937_64& engine, const Robot& robot) {
   constexpr int kTries = 20000;
-  // Sane condition numbers at first; but some documents can only say rods and point masses.
+  // The first attempt demands moderate condition numbers, but some documents can only express rods and point masses.
   for (const double share : {0.01, -1e-9}) {
     std::vector<double> values;
     for (const reflection::Parameter& p : robot.parameters) values.push_back(random_value(engine, p));

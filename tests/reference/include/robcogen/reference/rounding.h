@@ -1,11 +1,11 @@
-// How large the terms are that a result is the sum of: the yardstick for its rounding errors, where terms may cancel.
+// The sizes of the terms that a result sums: the scale of its rounding errors, because terms may cancel.
 #pragma once
 
 #include "robcogen/reference/dynamics.h"
 
 namespace robcogen::reference {
 
-// Sizes of the moment and the force that a link needs, as if nothing cancelled.
+// Sizes of the moment and the force on a link, as if nothing cancelled.
 struct WrenchTerms {
   double moment = 0;  // N m, about the centre of mass
   double force = 0;   // N
@@ -18,7 +18,7 @@ inline WrenchTerms wrench_terms(
     const Loads<double>& loads) {
   const reflection::Link& body = robot.links[link];
   const Vector<double> com = center_of_mass<double>(body);
-  double inertia = 0;  // about the link origin: the central one is a difference
+  double inertia = 0;  // about the link origin, because the central one is a difference
   for (const double moment : body.inertia) inertia = std::max(inertia, std::abs(moment));
   const double speed = largest(motion.angular_velocity());
   const double turning = largest(motion.angular_acceleration()) + speed * speed;
@@ -32,7 +32,7 @@ inline WrenchTerms wrench_terms(
   return terms;
 }
 
-// Adds what drives contribute, to the base and to joints.
+// Adds the terms of the drives, to the base and to joints.
 inline void add_drive_terms(
     const Robot& robot,
     const Motion<double>& motion,
@@ -57,9 +57,9 @@ inline void add_drive_terms(
   }
 }
 
-// For each generalised force (base wrench, tau): the contribution of the links beyond, and of drives.
+// For each generalised force (base wrench, tau), the sizes of the terms of the links that it supports, and of drives.
 inline Vector<double> force_terms(const Robot& robot, const Motion<double>& motion, const Loads<double>& loads) {
-  // A centre of mass on a joint's axis has no lever but a position, and that is rounded.
+  // A centre of mass on a joint's axis has no lever arm, but its position is rounded.
   constexpr double kPosition = 1e-3;
   const std::vector<LinkMotion<double>> links = link_motions(robot, motion);
   Vector<double> sums(6 + robot.dof()), by_joint(robot.joints.size);

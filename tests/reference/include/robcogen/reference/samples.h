@@ -1,4 +1,4 @@
-// Random states of a robot for checks: a fixed seed gives the same states everywhere.
+// Random states of a robot for checks: the same seed gives the same states everywhere.
 #pragma once
 
 #include <random>
@@ -7,14 +7,14 @@
 
 namespace robcogen::reference {
 
-// Moderate values: joints that turn anywhere, prismatic ones within a metre, a few rad/s, tens of newtons.
+// Moderate values: any angle for joints that turn, a metre for prismatic ones, a few rad/s, tens of newtons.
 struct Sample {
-  Motion<double> motion;  // base velocity and acceleration zero for a fixed base
+  Motion<double> motion;  // base velocity and acceleration are zero for a fixed base
   Vector<double> gravity;
   std::vector<Vector<double>> external;
 };
 
-// The same in numbers that single precision holds.
+// The same sample, rounded to single precision.
 inline Sample in_single(Sample sample) {
   const auto round = [](Vector<double>& v) {
     for (int i = 0; i < v.rows(); ++i) v(i) = static_cast<double>(static_cast<float>(v(i)));
@@ -25,7 +25,7 @@ inline Sample in_single(Sample sample) {
   return sample;
 }
 
-// The bits of a 64-bit engine, not std::uniform_real_distribution: that one differs between standard libraries.
+// Uses the bits of a 64-bit engine instead of std::uniform_real_distribution, which differs between standard libraries.
 inline double uniform(std::mt19937_64& engine, double limit) {
   const double unit = static_cast<double>(engine() >> 11) * 0x1p-53;
   return limit * (2 * unit - 1);
@@ -90,7 +90,7 @@ Loads<Scalar> loads(const Vector<double>& gravity, const std::vector<Vector<doub
   return Loads<double>{gravity, external, true}.cast<Scalar>();
 }
 
-// Gravity alone: drives do not resist.
+// Gravity only: drives do not resist motion.
 template <class Scalar>
 Loads<Scalar> without_passive(const Vector<double>& gravity) {
   return Loads<double>{gravity, {}, false}.cast<Scalar>();

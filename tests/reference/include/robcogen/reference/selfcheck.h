@@ -1,5 +1,5 @@
-// The self-check of a generated library: over random states, against the independent reference and against identities
-// that hold for every robot.
+// The self-check of a generated library: it compares random states with the independent reference, and checks
+// identities that hold for every robot.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,16 @@
 
 namespace robcogen::reference {
 
-// What the checks call of a library. `values` are those of the robot's parameters, and empty where it has none.
+// What the checks need of a library. `values` are those of the robot's parameters, and empty if it has none.
 struct Library {
   const Robot* robot = nullptr;
-  // `tables` are those of the robot with these values, and stay alive.
+  // `tables` are those of the robot with these values, and outlive the subject.
   AnySubject (*subject)(const Robot& tables, const std::vector<double>& values) = nullptr;
-  // The same in single precision, of a robot without parameters; nullptr if the library has none.
+  // The same in single precision, for a robot without parameters; nullptr if the library has no such functions.
   AnySubject (*single)(const Robot& tables) = nullptr;
-  // The first input of kernels; empty where the robot has no parameters.
+  // The first input of kernels; empty if the robot has no parameters.
   std::vector<double> (*cache)(const std::vector<double>& values) = nullptr;
-  // Checks of parameters that are updated from `before` to `after`; nullptr where the robot has none.
+  // Checks parameters that are updated from `before` to `after`; nullptr if the robot has none.
   void (*check_updates)(
       const Robot& robot,
       const std::vector<double>& after,
@@ -31,7 +31,7 @@ struct Library {
   void (*use_level)(Level) = nullptr;                           // nullptr if it has kernels for one processor
 };
 
-// The program `[--seed N] [--samples N]`: prints one line a check. Returns 0 if all passed, 1 if one failed, 2 if the
+// The program `[--seed N] [--samples N]`: prints one line per check. Returns 0 if all passed, 1 if one failed, 2 if the
 // command line is wrong, 77 if no values were found for the parameters. A robot with parameters is checked with several
 // sets of values.
 int selfcheck(const Library& library, int argc, char** argv);

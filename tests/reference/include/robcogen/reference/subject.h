@@ -23,7 +23,7 @@ struct TransformForms {
   Matrix<double> force = Matrix<double>(6, 6);
 };
 
-// A result of the dynamics, and its partial derivatives: a column for each variable, rows as those of the result.
+// A result of the dynamics, and its partial derivatives: a column for each variable, the rows of the result.
 struct Derivatives {
   Vector<double> value;
   Matrix<double> q, qd, last;  // by joint; the last are qdd, or tau of forward dynamics
@@ -43,7 +43,7 @@ inline TransformForms operator*(const TransformForms& a, const TransformForms& b
   return {a.homogeneous * b.homogeneous, a.motion * b.motion, a.force * b.force};
 }
 
-// (base, joints) for a floating base, else the joints alone.
+// (base, joints) for a floating base, otherwise only the joints.
 template <class Scalar>
 Vector<Scalar> coordinates(bool floating, const Vector<Scalar>& base, const Vector<Scalar>& joints) {
   return floating ? stacked(base, joints) : joints;
