@@ -168,13 +168,12 @@ std::string print_both(
 // measurable there. All other cores are compiled once.
 constexpr int kSmallCore = 64;
 
-// Whether the sines of a kernel, and its core, are functions that it calls, however short the core is. Kernels of the
-// kinematics are many: this halves the time to compile them, and what they take of the instruction cache. Where sines
-// take more than one vector, the calls do not show in the time; below, they do.
-constexpr std::size_t kSinesInVector = 4;
-
+// Whether a kernel calls functions for its sines and for its core, however short the core is, instead of containing
+// them. This saves time to compile, half of it for the many kernels of the kinematics, and room in the instruction
+// cache. The calls do not show in the time where sines take more than one vector, of arms' dynamics more than two.
 bool calls_parts(const Callable& callable) {
-  return is_kinematics(callable.function->group) && callable.function->parts->read.size() > kSinesInVector;
+  constexpr std::size_t kInVector = 4;
+  return callable.function->parts->read.size() > (is_kinematics(callable.function->group) ? 1 : 2) * kInVector;
 }
 
 std::string print_core(const Callable& callable) {
