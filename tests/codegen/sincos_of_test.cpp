@@ -191,6 +191,13 @@ void expect_few() {
   expect(3, 2);
   sincos_at<0, 2, 4, 5>(angles, sine, cosine);
   for (const int i : {0, 2, 4, 5}) expect(i, i);
+  called::sincos_of<5>(angles + 1, sine, cosine);
+  for (int i = 0; i < 5; ++i) expect(i, i + 1);
+  called::sincos_to<4, 1>(angles, sine, cosine);
+  expect(4, 0);
+  expect(1, 1);
+  called::sincos_at<0, 1, 3>(angles, sine, cosine);
+  for (const int i : {0, 1, 3}) expect(i, i);
 }
 
 // Writes the sine and cosine of each angle to its place, and nothing to other places. Some of the angles are of any

@@ -21,7 +21,7 @@ using symbolic::Program;
 using symbolic::Role;
 
 // Beyond this number, compilers take minutes for the code, which has no loops.
-constexpr std::size_t kMostExpressions = 200'000;
+constexpr std::size_t kMaxExpressions = 200'000;
 
 std::string text_of(const Derivative& derivative) {
   return fmt::format("{}:{}", derivative.function, fmt::join(derivative.inputs, ","));
@@ -93,13 +93,13 @@ Program differentiated(
     const Derivative& derivative,
     DerivativeMode mode,
     const symbolic::FollowerRates& rates) {
-  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMostExpressions, rates);
+  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMaxExpressions, rates);
   if (!result)
     refuse(
         derivative,
         fmt::format(
             "code without loops would have more than {} operations, too many to compile [too-many-operations]",
-            kMostExpressions));
+            kMaxExpressions));
   result->name = program.name + suffix_of(derivative);
   // The interface makes an object of these results for the original function only.
   for (symbolic::OutputArray& array : result->outputs) {

@@ -53,9 +53,9 @@ struct Hash {
 
 // The programs of one robot use the same angles in the same states: each thread computes each of them once.
 SineCosine sine_cosine(const DoubleDouble& angle) {
-  constexpr std::size_t kMost = 1 << 16;
+  constexpr std::size_t kMaxKnown = 1 << 16;
   thread_local std::unordered_map<std::pair<double, double>, SineCosine, Hash> known;
-  if (known.size() >= kMost) known.clear();
+  if (known.size() >= kMaxKnown) known.clear();
   const auto [place, is_new] = known.try_emplace({angle.high, angle.low});
   if (is_new) place->second = computed(angle);
   return place->second;

@@ -154,7 +154,7 @@ void add_masses(Drawing& d) {
 }
 
 // The median distance from the origin of a link to the joints that it carries.
-double typical_bar(const Drawing& d) {
+double median_bar(const Drawing& d) {
   std::vector<double> lengths;
   const std::vector<JointData> joints = d.robot.library.all_joints();
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -178,7 +178,7 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   for (const Pose& pose : posture.frames)
     d.length = std::max(d.length, distance(origin(pose), origin(posture.frames[0])));
   if (d.length < 1e-9) d.length = 1;
-  d.width = std::clamp(typical_bar(d) / d.length * 30, 2.5, 9.0);
+  d.width = std::clamp(median_bar(d) / d.length * 30, 2.5, 9.0);
   add_base(d);
   add_tips(d);
   const std::vector<JointData> joints = robot.library.all_joints();

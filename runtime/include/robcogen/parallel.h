@@ -73,9 +73,9 @@ const T& measured(const T& value, std::ptrdiff_t&) noexcept {
 // Number of states in a block, with `bytes` per state. It is a multiple of 64, so that a block has whole vectors of any
 // processor and whole cache lines.
 constexpr std::ptrdiff_t block_size(std::ptrdiff_t bytes) noexcept {
-  constexpr std::ptrdiff_t kUnit = 64, kMost = 4096;
+  constexpr std::ptrdiff_t kUnit = 64, kMax = 4096;
   const std::ptrdiff_t fit = kBlockBytes / std::max<std::ptrdiff_t>(bytes, 1);
-  return std::clamp(fit / kUnit * kUnit, kUnit, kMost);
+  return std::clamp(fit / kUnit * kUnit, kUnit, kMax);
 }
 
 }  // namespace detail

@@ -13,9 +13,11 @@
 #if defined(__GNUC__)
 #define ROBCOGEN_INLINE static inline __attribute__((always_inline))
 #define ROBCOGEN_RARE static __attribute__((noinline, cold, unused))
+#define ROBCOGEN_CALLED static __attribute__((noinline, unused))
 #else
 #define ROBCOGEN_INLINE static inline
 #define ROBCOGEN_RARE static
+#define ROBCOGEN_CALLED static
 #endif
 
 namespace robcogen {
@@ -362,6 +364,26 @@ ROBCOGEN_INLINE void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosin
   sincos_to<kAt...>(packed, sine, cosine);
 }
 
+// The same as functions that are compiled once in a file and called: for kernels of which there are many.
+namespace called {
+
+template <int kCount, class Scalar>
+ROBCOGEN_CALLED void sincos_of(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
+  robcogen::sincos_of<kCount>(angles, sine, cosine);
+}
+
+template <int... kTo, class Scalar>
+ROBCOGEN_CALLED void sincos_to(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
+  robcogen::sincos_to<kTo...>(angles, sine, cosine);
+}
+
+template <int... kAt, class Scalar>
+ROBCOGEN_CALLED void sincos_at(const Scalar* angles, Scalar* sine, Scalar* cosine) noexcept {
+  robcogen::sincos_at<kAt...>(angles, sine, cosine);
+}
+
+}  // namespace called
+
 // Sines and cosines of kSize angles as a value. They are computed together even for few angles.
 template <class Scalar, int kSize>
 class SinCosOf {
@@ -386,3 +408,4 @@ class SinCosOf {
 
 #undef ROBCOGEN_INLINE
 #undef ROBCOGEN_RARE
+#undef ROBCOGEN_CALLED

@@ -38,7 +38,7 @@ const std::array<const char*, 16> kWays = {
     kDefault,        "--passes canonical,lanes --effort 0",
     kDefault,        "--passes frames,turn-inertia,reassociate,lanes",
     kOtherFunctions, "--passes lanes --effort 0",
-    kDefault,        "--passes regroup,choose-fd,canonical,sink,lanes --effort 0",
+    kDefault,        "--passes base-parameters,choose-fd,canonical,sink,lanes --effort 0",
     kDefault,        "--effort 2",
     kDefault,        "--passes frames,canonical,reassociate,sink,lanes"};
 

@@ -22,7 +22,7 @@ std::vector<double> numbers(const MassProperties& m) {
 
 std::vector<MassProperties> regrouped_masses(Trace& trace) {
   const auto q = trace.joint_input("q", symbolic::Role::joint_position);
-  const TracedRobot robot(trace, q, Formulation{.regroup = true});
+  const TracedRobot robot(trace, q, Formulation{.base_parameters = true});
   return robot.masses;
 }
 
@@ -60,14 +60,14 @@ TEST(Regroup, SavesOperations) {
   const auto size = [](const Formulation& formulation) {
     return newton_euler(two_rods(), "f", Loads::gravity, formulation).statements.size();
   };
-  EXPECT_LT(size({.regroup = true}), size({.regroup = false}));
+  EXPECT_LT(size({.base_parameters = true}), size({.base_parameters = false}));
 }
 
 TEST(Formulation, IsTakenOutOfAListOfNames) {
-  std::vector<std::string> names{"sink", "regroup", "canonical"};
-  EXPECT_TRUE(take_formulation(names).regroup);
+  std::vector<std::string> names{"sink", "base-parameters", "canonical"};
+  EXPECT_TRUE(take_formulation(names).base_parameters);
   EXPECT_EQ(names, (std::vector<std::string>{"sink", "canonical"}));
-  EXPECT_FALSE(take_formulation(names).regroup);
+  EXPECT_FALSE(take_formulation(names).base_parameters);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(Operations, RoundingErrorsStandBesideThem) {
 }
 
 TEST(Operations, OfEachChoiceAloneOfNearlyParallelAxes) {
-  for (const char* choice : {"regroup", "choose-fd", "frames", "turn-inertia", "reverse-mode"}) {
+  for (const char* choice : {"base-parameters", "choose-fd", "frames", "turn-inertia", "reverse-mode"}) {
     const Outcome run = run_tool(std::string("ops --passes ") + choice + " " + quoted(ill("nearly_planar")));
     EXPECT_EQ(run.status, 0) << choice << "\n" << run.errors;
   }

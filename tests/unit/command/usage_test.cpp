@@ -60,8 +60,8 @@ TEST(Usage, OptionsOfOtherLanguagesAreRefused) {
 
 TEST(Usage, EverySingleStepAndNone) {
   for (const char* steps :
-       {"none", "regroup", "choose-fd", "frames", "turn-inertia", "reverse-mode", "canonical", "reassociate", "sink",
-        "lanes", "lanes,frames", "sink,lanes", "sink,sink"})
+       {"none", "base-parameters", "choose-fd", "frames", "turn-inertia", "reverse-mode", "canonical", "reassociate",
+        "sink", "lanes", "lanes,frames", "sink,lanes", "sink,sink"})
     for (const char* name : {"hyl", "hyl_parametric", "quadruped"}) {
       const std::string command = "ops --lanes --algorithms inverse_dynamics,jacobians --passes ";
       const Outcome run = run_tool(command + steps + " " + quoted(robot(name)));

@@ -24,7 +24,8 @@ TEST(Steps, AreChoicesPassesAndLanesInThisOrder) {
 TEST(Steps, AreAllTakenUnlessSaidOtherwise) {
   const Steps all;
   const algorithm::Formulation f = all.formulation();
-  EXPECT_TRUE(f.regroup && f.choose_forward_dynamics && f.choose_frames && f.turn_inertia && f.choose_reverse_mode);
+  EXPECT_TRUE(
+      f.base_parameters && f.choose_forward_dynamics && f.choose_frames && f.turn_inertia && f.choose_reverse_mode);
   EXPECT_EQ(f.effort, 1);
   EXPECT_EQ(all.passes(), pass::names());
   EXPECT_TRUE(all.has_lanes());
@@ -33,7 +34,7 @@ TEST(Steps, AreAllTakenUnlessSaidOtherwise) {
 TEST(Steps, WithoutNamesAreThePlainFormulationAlone) {
   const Steps none{{}, 3};
   const algorithm::Formulation f = none.formulation(), plain = algorithm::plain_formulation();
-  EXPECT_EQ(f.regroup, plain.regroup);
+  EXPECT_EQ(f.base_parameters, plain.base_parameters);
   EXPECT_EQ(f.choose_forward_dynamics, plain.choose_forward_dynamics);
   EXPECT_EQ(f.choose_frames, plain.choose_frames);
   EXPECT_EQ(f.turn_inertia, plain.turn_inertia);
@@ -48,13 +49,13 @@ TEST(Steps, AreSwitchedOneByOne) {
   for (const std::string& name : all_steps()) {
     const Steps one{{name}};
     const algorithm::Formulation f = one.formulation();
-    const int on = f.regroup + f.choose_forward_dynamics + f.choose_frames + f.turn_inertia + f.choose_reverse_mode +
-                   one.has_lanes() + static_cast<int>(one.passes().size());
+    const int on = f.base_parameters + f.choose_forward_dynamics + f.choose_frames + f.turn_inertia +
+                   f.choose_reverse_mode + one.has_lanes() + static_cast<int>(one.passes().size());
     EXPECT_EQ(on, 1) << name;
     const bool is_pass = std::count(pass::names().begin(), pass::names().end(), name) > 0;
     EXPECT_EQ(one.passes(), is_pass ? Names{name} : Names());
   }
-  EXPECT_TRUE((Steps{{"regroup"}}).formulation().regroup);
+  EXPECT_TRUE((Steps{{"base-parameters"}}).formulation().base_parameters);
   EXPECT_TRUE((Steps{{"lanes"}}).has_lanes());
 }
 

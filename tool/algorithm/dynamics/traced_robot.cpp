@@ -47,7 +47,7 @@ TracedRobot::TracedRobot(Trace& t, const std::vector<Expression>& q, const Formu
   }
   poses = joint_poses(trace, q);
   for (const model::Link& link : tree().links) masses.push_back(mass_properties_of(trace, link));
-  if (formulation.regroup) masses = regrouped(trace, poses, masses);
+  if (formulation.base_parameters) masses = with_base_parameters(trace, poses, masses);
   if (formulation.frames.empty())
     fold_like(formulation.representative);
   else

@@ -84,7 +84,7 @@ MassProperties take(Trace& trace, model::JointType type, const Pose& pose, MassP
 
 }  // namespace
 
-std::vector<MassProperties> regrouped(
+std::vector<MassProperties> with_base_parameters(
     Trace& trace,
     const std::vector<Pose>& poses,
     std::vector<MassProperties> masses) {

@@ -17,6 +17,9 @@ namespace robcogen::algorithm {
 
 // The mass properties that remain, by link. Constants are exact up to rounding; with parameters they are sums of
 // products that depend on parameters only.
-std::vector<MassProperties> regrouped(Trace& trace, const std::vector<Pose>& poses, std::vector<MassProperties> masses);
+std::vector<MassProperties> with_base_parameters(
+    Trace& trace,
+    const std::vector<Pose>& poses,
+    std::vector<MassProperties> masses);
 
 }  // namespace robcogen::algorithm

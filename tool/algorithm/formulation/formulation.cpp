@@ -11,9 +11,9 @@ struct Choice {
 };
 
 constexpr std::array kChoices = {
-    Choice{"regroup", &Formulation::regroup}, Choice{"choose-fd", &Formulation::choose_forward_dynamics},
-    Choice{"frames", &Formulation::choose_frames}, Choice{"turn-inertia", &Formulation::turn_inertia},
-    Choice{"reverse-mode", &Formulation::choose_reverse_mode}};
+    Choice{"base-parameters", &Formulation::base_parameters},
+    Choice{"choose-fd", &Formulation::choose_forward_dynamics}, Choice{"frames", &Formulation::choose_frames},
+    Choice{"turn-inertia", &Formulation::turn_inertia}, Choice{"reverse-mode", &Formulation::choose_reverse_mode}};
 
 }  // namespace
 

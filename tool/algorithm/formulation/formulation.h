@@ -11,7 +11,7 @@
 namespace robcogen::algorithm {
 
 struct Formulation {
-  bool regroup = true;  // mass properties that a joint does not feel move to the parent (base_parameters.h)
+  bool base_parameters = true;  // mass properties that a joint does not feel move to the parent (base_parameters.h)
   bool choose_forward_dynamics = true;  // by inertia matrix where that is faster; off: always articulated bodies
   bool choose_frames = true;            // moved about and along joint axes, where that is cheaper (link_frames.h)
   bool turn_inertia = true;             // rotate link inertias instead of motion vectors, where that is cheaper

@@ -104,13 +104,13 @@ AxisPlacement split_numerically(const Placement& placement, const std::array<std
 // Whether the path over the foot of the common normal is much longer than the placement's own offset, so that its parts
 // cancel.
 bool is_detour(const AxisPlacement& split, const Placement& placement) {
-  constexpr double kMost = 4.0;
+  constexpr double kMaxReach = 4.0;
   const auto magnitude = [](const Quantity& q) { return std::abs(q.number().value()); };
   double size = 0.0, longest = magnitude(split.along);
   for (const Quantity& q : placement.translation) size += magnitude(q);
   for (const PrimitiveTransform& p : split.to_axis)
     if (!p.rotation) longest = std::max(longest, magnitude(p.amount));
-  return longest > kMost * size;
+  return longest > kMaxReach * size;
 }
 
 // Rz(rho) * pose.

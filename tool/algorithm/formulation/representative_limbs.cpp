@@ -93,7 +93,7 @@ std::vector<Numbers> numbers_of(
 // lacks it.
 using AlignedPlanes = std::vector<std::vector<int>>;
 
-bool are_alike(const PlaneRotation& a, const PlaneRotation& b) {
+bool are_corresponding(const PlaneRotation& a, const PlaneRotation& b) {
   return a.axis == b.axis && a.c.is_constant() == b.c.is_constant();
 }
 
@@ -126,7 +126,7 @@ AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
     const std::vector<PlaneRotation>& own = rotation.planes;
     std::size_t next = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      const bool is_there = next < own.size() && are_alike(own[next], all[k]);
+      const bool is_there = next < own.size() && are_corresponding(own[next], all[k]);
       if (!is_there && !is_constant(all[k])) return {};
       result[k].push_back(is_there ? static_cast<int>(next++) : -1);
     }

@@ -11,7 +11,8 @@ using model::KinematicTree;
 
 FormulationChoices::FormulationChoices(const KinematicTree& tree, const Formulation& common)
     : model_(tree), common_(common) {
-  if (common.regroup && tree.has_rotors()) spun_ = std::make_shared<const KinematicTree>(with_spin_in_bodies(tree));
+  if (common.base_parameters && tree.has_rotors())
+    spun_ = std::make_shared<const KinematicTree>(with_spin_in_bodies(tree));
 }
 
 FormulationChoices::FormulationChoices(FormulationChoices& original)

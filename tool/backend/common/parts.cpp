@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kCall = 8;
 
 // The lines of one section, or of several consecutive ones.
-struct Stretch {
+struct Segment {
   std::size_t begin = 0, end = 0;
 };
 
@@ -54,8 +54,8 @@ NumberedLine numbered(const Line& line, Vocabulary& vocabulary) {
   return result;
 }
 
-std::vector<Stretch> sections(const std::vector<NumberedLine>& lines) {
-  std::vector<Stretch> result;
+std::vector<Segment> sections(const std::vector<NumberedLine>& lines) {
+  std::vector<Segment> result;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (result.empty() || lines[i].line->kind == Line::Kind::section) result.push_back({i, i});
     result.back().end = i + 1;
@@ -97,14 +97,14 @@ class KernelSplitter {
   }
 
   Parts run() {
-    const std::vector<Stretch> stretches = cut();
+    const std::vector<Segment> segments = cut();
     std::vector<Values> read;  // by part: values defined in parts before it
-    for (const Stretch& s : stretches) read.push_back(read_from_before(s));
-    choose_elements(stretches, read);
+    for (const Segment& s : segments) read.push_back(read_from_before(s));
+    choose_elements(segments, read);
     Parts result;
     for (const auto& [width, size] : sizes_) result.handed.push_back({array(width), size});
-    for (std::size_t k = 0; k < stretches.size(); ++k) {
-      result.kernels.push_back(part(stretches[k], read[k], result.handed));
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      result.kernels.push_back(part(segments[k], read[k], result.handed));
       result.kernels.back().name = kernel_.name + "_" + std::to_string(k + 1);
     }
     return result;
@@ -128,7 +128,7 @@ class KernelSplitter {
     return p;
   }
 
-  Values read_from_before(const Stretch& s) const {
+  Values read_from_before(const Segment& s) const {
     Values result;
     for (std::size_t i = s.begin; i < s.end; ++i)
       for (const std::size_t name : lines_[i].names)
@@ -139,10 +139,10 @@ class KernelSplitter {
   }
 
   // The runs of sections that pass on the fewest values in total, by dynamic programming over their ends.
-  std::vector<Stretch> cut() const {
-    const std::vector<Stretch> all = sections(lines_);
+  std::vector<Segment> cut() const {
+    const std::vector<Segment> all = sections(lines_);
     std::vector<Values> read;
-    for (const Stretch& s : all) read.push_back(read_from_before(s));
+    for (const Segment& s : all) read.push_back(read_from_before(s));
     std::vector<std::size_t> cost(all.size() + 1, std::numeric_limits<std::size_t>::max()), from(all.size() + 1, 0);
     cost[0] = 0;
     for (std::size_t end = 1; end <= all.size(); ++end) {
@@ -163,7 +163,7 @@ class KernelSplitter {
         from[end] = begin;
       }
     }
-    std::vector<Stretch> result;
+    std::vector<Segment> result;
     for (std::size_t end = all.size(); end > 0; end = from[end])
       result.push_back({all[from[end]].begin, all[end - 1].end});
     std::reverse(result.begin(), result.end());
@@ -171,15 +171,15 @@ class KernelSplitter {
   }
 
   // An element becomes free for another value after the last part that reads its value.
-  void choose_elements(const std::vector<Stretch>& stretches, const std::vector<Values>& read) {
+  void choose_elements(const std::vector<Segment>& segments, const std::vector<Values>& read) {
     constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> last(values_.size(), kNever);  // part that reads the value
     for (std::size_t k = 0; k < read.size(); ++k)
       for (const std::size_t v : read[k]) last[v] = k;
     std::map<int, std::vector<std::size_t>> free;                             // by width
     std::vector<std::vector<std::pair<int, std::size_t>>> ends(read.size());  // by part
-    for (std::size_t k = 0; k < stretches.size(); ++k) {
-      for (std::size_t v = first_value_[stretches[k].begin]; v < first_value_[stretches[k].end]; ++v) {
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      for (std::size_t v = first_value_[segments[k].begin]; v < first_value_[segments[k].end]; ++v) {
         if (last[v] == kNever) continue;
         const int width = values_[v].width;
         std::vector<std::size_t>& unused = free[width];
@@ -192,7 +192,7 @@ class KernelSplitter {
     }
   }
 
-  Kernel part(const Stretch& s, const Values& read, const std::vector<Handed>& handed) const {
+  Kernel part(const Segment& s, const Values& read, const std::vector<Handed>& handed) const {
     Kernel part;
     std::vector<bool> is_read(vocabulary_.size(), false);  // by name
     std::set<int> widths_handed;

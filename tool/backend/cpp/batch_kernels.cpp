@@ -53,10 +53,10 @@ bool is_symmetric(const Callable& callable) {
 
 bool takes_single_states(const Callable& callable) {
   // Eight states in double precision: 256 KB.
-  constexpr int kMost = 4'000;
+  constexpr int kMaxElements = 4'000;
   int elements = 0;
   for (const OutputArray& output : callable.function->program.outputs) elements += output.rows * output.columns;
-  return elements > kMost && !is_symmetric(callable);
+  return elements > kMaxElements && !is_symmetric(callable);
 }
 
 std::vector<BatchKernel> batch_kernels(const std::vector<const Callable*>& callables) {

@@ -168,13 +168,21 @@ std::string print_both(
 // measurable there. All other cores are compiled once.
 constexpr int kSmallCore = 64;
 
+// Whether a kernel calls functions for its sines and for its core, however short the core is, instead of containing
+// them. This saves time to compile, half of it for the many kernels of the kinematics, and room in the instruction
+// cache. The calls do not show in the time where sines take more than one vector, of arms' dynamics more than two.
+bool calls_parts(const Callable& callable) {
+  constexpr std::size_t kInVector = 4;
+  return callable.function->parts->read.size() > (is_kinematics(callable.function->group) ? 1 : 2) * kInVector;
+}
+
 std::string print_core(const Callable& callable) {
   const auto& [core, in_lanes, read, angles] = *callable.function->parts;
   const auto print = [&](const std::string& remarks, const symbolic::Program& program) {
     const Kernel kernel = lower(program, callable.kernel);
     const symbolic::OperationCount count = symbolic::count(program);
     const std::string comments = remarks + comment(counts(count));
-    if (count.instructions > kSmallCore) return print_whole_or_parts(comments, kernel);
+    if (count.instructions > kSmallCore || calls_parts(callable)) return print_whole_or_parts(comments, kernel);
     return comments + definition(kernel, kInline);
   };
   if (!in_lanes) return print(summary(callable), core);
@@ -183,24 +191,29 @@ std::string print_core(const Callable& callable) {
       print_chooser(callable, callable.core_parameters, kInline));
 }
 
-// Computes the sines and cosines of these angles, each into its element of sin_q and cos_q.
-std::string sines_and_cosines(const Library& library, const std::vector<int>& read, const symbolic::Program& angles) {
+// Computes the sines and cosines of these angles, each into its element of sin_q and cos_q, by functions of this
+// namespace.
+std::string sines_and_cosines(
+    const Library& library,
+    const std::vector<int>& read,
+    const symbolic::Program& angles,
+    const std::string& space) {
   if (read.empty()) return "";
   std::vector<std::string> places;
   for (const int k : read) places.push_back(std::to_string(k));
   if (read.back() >= static_cast<int>(library.joints.size())) {
     const Kernel kernel = lower_values(angles);
     return body(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
-           template_call("robcogen::sincos_to", places, "(angles, sin_q, cos_q)", 2);
+           template_call(space + "::sincos_to", places, "(angles, sin_q, cos_q)", 2);
   }
   const int first = read.front(), count = read.back() - first + 1;
   // Consecutive joints are computed together; a few unused ones in between do no harm.
   if (count > 2 * static_cast<int>(read.size()))
-    return template_call("robcogen::sincos_at", places, "(q, sin_q, cos_q)", 2);
+    return template_call(space + "::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const auto from = [&](const std::string& array) {
     return first == 0 ? array : array + " + " + std::to_string(first);
   };
-  const std::string name = "robcogen::sincos_of<" + std::to_string(count) + ">";
+  const std::string name = space + "::sincos_of<" + std::to_string(count) + ">";
   return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
 }
 
@@ -226,7 +239,7 @@ std::string print_caller(const Library& library, const Callable& callable) {
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // The arrays are stored as vectors and read one by one: a load from a vector across two cache lines would stall.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
-  text += sines_and_cosines(library, parts.read, parts.angles);
+  text += sines_and_cosines(library, parts.read, parts.angles, calls_parts(callable) ? "robcogen::called" : "robcogen");
   return text + call("core::" + callable.kernel, names_of(callable.core_parameters), 2) + "}\n";
 }
 
@@ -301,7 +314,7 @@ std::string print_joint_trigonometry(const Library& library) {
   std::vector<Parameter> list = lower_values(angles).parameters;
   list.back() = {"sin_q", true, library.trigonometry->angle_count > 0};
   list.push_back({"cos_q", true, library.trigonometry->angle_count > 0});
-  const std::string body = sines_and_cosines(library, turning, angles) + rest;
+  const std::string body = sines_and_cosines(library, turning, angles, "robcogen") + rest;
   return comment(
              "Sines and cosines of all angles: of the joints, then of sums. Of joints that slide they are those of "
              "zero.") +

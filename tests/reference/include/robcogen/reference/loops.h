@@ -28,8 +28,8 @@ struct LoopRows {
 
 inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
   const Robot free = with_free_joints(robot);
-  constexpr int kMost = 6;
-  LoopRows all{Vector<Real>(kMost * robot.loops.size), Matrix<Real>(kMost * robot.loops.size, robot.joints.size)};
+  constexpr int kMaxRows = 6;
+  LoopRows all{Vector<Real>(kMaxRows * robot.loops.size), Matrix<Real>(kMaxRows * robot.loops.size, robot.joints.size)};
   int row = 0;
   for (const reflection::Loop& loop : robot.loops) {
     const Matrix<Real> X = transform(free, joints, loop.frames[0], loop.frames[1]);
@@ -70,7 +70,7 @@ inline LoopRows loop_rows(const Robot& robot, const Vector<Real>& joints) {
         }
       }
     }
-    row += kMost;
+    row += kMaxRows;
   }
   return all;
 }
