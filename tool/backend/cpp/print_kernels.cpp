@@ -169,11 +169,11 @@ std::string print_both(
 constexpr int kSmallCore = 64;
 
 // Whether a kernel calls functions for its sines and for its core, however short the core is, instead of containing
-// them. This saves time to compile, half of it for the many kernels of the kinematics, and room in the instruction
-// cache. The calls do not show in the time where sines take more than one vector, of arms' dynamics more than two.
+// them: kernels of the kinematics are many, and compile in half the time then. The calls hardly show where sines take
+// more than one vector.
 bool calls_parts(const Callable& callable) {
   constexpr std::size_t kInVector = 4;
-  return callable.function->parts->read.size() > (is_kinematics(callable.function->group) ? 1 : 2) * kInVector;
+  return is_kinematics(callable.function->group) && callable.function->parts->read.size() > kInVector;
 }
 
 std::string print_core(const Callable& callable) {
