@@ -149,8 +149,9 @@ JointPositions<R> integrate_positions(
   return result;
 }
 
-// The motion from one position to another, one element per velocity: integrate_positions(from, way, 1) = to. A
-// spherical joint turns in the shorter direction, by at most half a turn (rad, in axes of the child).
+// The motion from one position to another, one element per velocity: integrate_positions(from, result, 1) = to. A
+// spherical joint turns in the shorter direction, by at most half a turn (rad, in axes of the child). Followers do not
+// enter: they move with the coordinates.
 template <class R>
 typename R::JointState position_difference(const JointPositions<R>& from, const JointPositions<R>& to) noexcept {
   using Scalar = typename R::Scalar;
