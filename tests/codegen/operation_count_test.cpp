@@ -85,7 +85,7 @@ int check_file(const fs::path& path) {
       for (std::size_t k = 0; k < found.size(); ++k) found[k] += core[k];
     } else if (
         (inside || in_parts) && line.starts_with("  ") && !line.starts_with("  //") &&
-        !line.starts_with("  robcogen::sincos_")) {
+        !line.starts_with("  robcogen::sincos_") && !line.starts_with("  robcogen::called::sincos_")) {
       add_operators(line, found);
       if (in_cores) add_angle(line, angles);
     } else if (inside && line.starts_with("}")) {
