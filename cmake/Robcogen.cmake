@@ -451,17 +451,23 @@ function(_robcogen_set_test_options target)
   endif()
 endfunction()
 
-# Sets `result` to the library of the checks that all self-checks call. It is compiled once for the compiler flags of this
-# directory, which may change the layout of types of the standard library.
-function(_robcogen_add_checks result)
-  get_property(options DIRECTORY PROPERTY COMPILE_OPTIONS)
-  get_property(definitions DIRECTORY PROPERTY COMPILE_DEFINITIONS)
-  set(flags ${CMAKE_CXX_FLAGS} ${options} ${definitions})
+# Sets `result` to the compiler flags that this directory and its configurations give to every target.
+function(_robcogen_directory_flags result)
+  get_property(flags DIRECTORY PROPERTY COMPILE_OPTIONS)
+  list(PREPEND flags ${CMAKE_CXX_FLAGS})
   foreach(configuration IN LISTS CMAKE_BUILD_TYPE CMAKE_CONFIGURATION_TYPES)
     string(TOUPPER "${configuration}" configuration)
     list(APPEND flags ${CMAKE_CXX_FLAGS_${configuration}})
   endforeach()
-  string(MD5 hash "${flags}")
+  set(${result} ${flags} PARENT_SCOPE)
+endfunction()
+
+# Sets `result` to the library of the checks that all self-checks call. It is compiled once for the compiler flags of this
+# directory, which may change the layout of types of the standard library.
+function(_robcogen_add_checks result)
+  _robcogen_directory_flags(flags)
+  get_property(definitions DIRECTORY PROPERTY COMPILE_DEFINITIONS)
+  string(MD5 hash "${flags};${definitions}")
   string(SUBSTRING ${hash} 0 8 hash)
   set(target robcogen_checks_${hash})
   set(${result} ${target} PARENT_SCOPE)

@@ -192,12 +192,15 @@ TEST_F(Corpus, ResolvesItsDesiredTransforms) {
     if (document.robot.text != tree.name) return;
     const auto desired = import::desired_transforms(document, tree, diagnostics);
     EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.render();
-    std::set<std::pair<std::string, std::string>> transforms;
-    for (const auto& pair : document.transforms) {
-      const bool known = tree.find_frame(pair.left.text) && tree.find_frame(pair.right.text);
-      if (known) transforms.insert({pair.left.text, pair.right.text});
-    }
-    EXPECT_EQ(desired.transforms.size(), transforms.size());
+    const auto known = [&](const std::vector<language::desired::Pair>& pairs) {
+      std::set<std::pair<std::string, std::string>> result;
+      for (const auto& pair : pairs)
+        if (tree.find_frame(pair.left.text) && tree.find_frame(pair.right.text))
+          result.insert({pair.left.text, pair.right.text});
+      return result.size();
+    };
+    EXPECT_EQ(desired.transforms.size(), known(document.transforms));
+    EXPECT_EQ(desired.jacobians.size(), known(document.jacobians));
     if (!desired.transforms.empty()) ++resolved;
   };
   for (const auto& [name, tree] : robots()) {

@@ -71,12 +71,14 @@ void check_control(const AnySubject& subject, const Case& c, Checks& checks) {
   if (subject.kinetic_energy) check_energies(subject, c, checks);
 }
 
+// `set` is the number of this set of parameter values.
 void check(
     const Library& library,
     const Robot& tables,
     const std::vector<double>& values,
     std::mt19937_64& engine,
     int samples,
+    int set,
     Checks& checks) {
   const AnySubject subject = library.subject(tables, values);
   const std::vector<double> cache = library.cache(values);
@@ -95,6 +97,7 @@ void check(
     check_frame_motions(subject, c, checks);
     check_contacts(c, cache, engine, checks);
   }
+  if (subject.total_mass) check_total_mass(subject, tables, checks, set);
   check_trigonometry(tables, cache, engine, samples, checks);
   if (library.batch_functions != nullptr) check_batches(tables, *library.batch_functions, cache, engine, checks);
 }
@@ -156,7 +159,7 @@ Checks checks_of(const Library& library, std::uint64_t seed, int samples) {
   Checks checks;
   std::mt19937_64 engine(seed);
   if (robot.parameters.size == 0) {
-    check(library, robot, {}, engine, samples, checks);
+    check(library, robot, {}, engine, samples, 0, checks);
     check_derivatives(library, {}, engine, samples, checks);
     if (library.single != nullptr) check_single(library, engine, samples, checks);
     return checks;
@@ -166,10 +169,8 @@ Checks checks_of(const Library& library, std::uint64_t seed, int samples) {
     const auto values = set == 0 && before ? before : random_values(engine, robot);
     if (!values) return Checks();
     const RobotOf tables(robot, *values);
-    check(library, tables.robot(), *values, engine, samples, checks);
+    check(library, tables.robot(), *values, engine, samples, set, checks);
     check_derivatives(library, *values, engine, samples, checks);
-    const AnySubject subject = library.subject(tables.robot(), *values);
-    if (subject.total_mass) check_total_mass(subject, tables.robot(), checks, set);
     library.check_updates(robot, *values, before ? *before : *values, checks, set);
     before = values;
   }

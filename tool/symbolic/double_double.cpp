@@ -61,7 +61,7 @@ SineCosine sine_cosine(const DoubleDouble& angle) {
   return place->second;
 }
 
-// Refines a rough angle in three steps. Each adds the arc sine of the remaining sine up to the third order, which
+// Refines a rough angle in two steps. Each adds the arc sine of the remaining sine up to the third order, which
 // multiplies the number of correct digits by five. The start is computed without the mathematical library, by a
 // polynomial with an error of at most 4e-3 rad in the first eighth of the circle.
 DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine) {
@@ -73,7 +73,7 @@ DoubleDouble atan2(const DoubleDouble& sine, const DoubleDouble& cosine) {
   DoubleDouble angle = {sine.high < 0.0 ? -rough : rough, 0.0};
   const DoubleDouble length = sqrt(sine * sine + cosine * cosine);
   if (length.high == 0.0) return {};
-  constexpr int kSteps = 3;
+  constexpr int kSteps = 2;
   for (int step = 0; step < kSteps; ++step) {
     const SineCosine now = sine_cosine(angle);
     const DoubleDouble rest = (sine * now.cosine - cosine * now.sine) / length;  // sine of the remaining angle

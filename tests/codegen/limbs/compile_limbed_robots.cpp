@@ -9,7 +9,6 @@
 // whose sources are in that folder, and compared with the independent reference.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -85,21 +84,12 @@ bool compiles(const std::string& compiler, const fs::path& dir, const std::vecto
   return std::system((compiler + " " + in_quotes(unit)).c_str()) == 0;
 }
 
-// True if the self-check of the robot, one program, reports no fault. The included headers determine its groups of
-// functions.
+// True if the self-check of the robot, one program, reports no fault.
 bool passes(const std::string& compiler, const fs::path& dir, const std::string& selfcheck, std::uint64_t seed) {
   const std::string name = name_of(seed), unit = (dir / (name + "_check.cpp")).string();
   std::ofstream text(unit);
   text << "#define ROBCOGEN_ROBOT_HEADER <" << name << "/" << name << ".h>\n#define ROBCOGEN_REFLECTION_HEADER <"
        << name << "/reflection.h>\n#define ROBCOGEN_ROBOT_NAMESPACE " << name << "\n";
-  for (const std::string group :
-       {"inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "joint_space_inertia_factor",
-        "coriolis_matrix", "centroidal", "energy"}) {
-    std::string upper = group;
-    std::transform(
-        upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    text << "#define ROBCOGEN_HAS_" << upper << " " << fs::exists(dir / name / (group + ".h")) << "\n";
-  }
   text << includes(dir, name);
   for (const char* source : {"selfcheck.cpp", "robot_selfcheck.cpp"})
     text << "#include \"" << selfcheck << "/" << source << "\"\n";

@@ -46,9 +46,9 @@ Vector terms(const std::array<Number, 3>& values, Span span) {
   return {term(values[0], span), term(values[1], span), term(values[2], span)};
 }
 
-import::Rotation rotation(const std::array<Number, 3>& angles){
-    return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
-}  // namespace
+Rotation rotation(const std::array<Number, 3>& angles) {
+  return rotation_about(0, angles[0]) * rotation_about(1, angles[1]) * rotation_about(2, angles[2]);
+}
 
 // Returns the combined angles about x, y and z of both rotations, if their turns follow one another in this order.
 std::optional<Vector> joined_turns(const Vector& a, const Vector& b) {
@@ -88,7 +88,7 @@ std::array<Number, 3> least_angles(std::array<Number, 3> angles) {
   return size(other) < size(angles) - kClearly ? other : angles;
 }
 
-}  // namespace robcogen::import::parts
+}  // namespace
 
 Placement identity(Span span) {
   const ExpressionPtr null = zero(span);
