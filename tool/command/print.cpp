@@ -45,7 +45,7 @@ Status print_document(const PrintOptions& options) {
   if (language == driver::Language::urdf || language == driver::Language::mjcf)
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
+                         "robcogen: error: '{}' is not a robcogen document\nhint: 'robcogen convert' "
                          "makes it one",
                          file.string())};
   if ((options.original || options.expand) && language != driver::Language::robot)
