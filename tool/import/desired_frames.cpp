@@ -35,7 +35,7 @@ void FrameResolver::check_variable(const desired::Name& variable) {
       .error(
           "loop-variable", place(variable.span),
           fmt::format(
-              "'{}' is {} of {} '{}' already", variable.text,
+              "'{}' is already {} of {} '{}'", variable.text,
               is_link    ? "a link"
               : is_frame ? "a frame"
                          : "an instance",

@@ -206,7 +206,7 @@ Quantity QuantityReader::member(const Expression& expression, ParameterKind kind
     std::vector<std::string> names;
     for (const auto& [name, other] : groups_) names.push_back(name);
     Diagnostic& error = diagnostics_.error(
-        "unknown-group", place(expression), fmt::format("unknown group '{}' of parameters", expression.group));
+        "unknown-group", place(expression), fmt::format("unknown parameter group '{}'", expression.group));
     error.hint = did_you_mean(expression.group, names);
     return fault(error);
   }
