@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{":q", "no function to differentiate"},
         Fault{"inverse_dynamics:q,,qd", "an input without a name"},
         Fault{"inverse_dynamics:q,q", "'q' is given twice"},
-        Fault{"inertia_factor.solve:x", "functions of a factor take an object"},
+        Fault{"inertia_factor.solve:x", "functions of an inertia factor take an object"},
         Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
 
 TEST(Derivatives, ByWhichContactsHold) {
