@@ -31,7 +31,7 @@ const char* kind_name(ParameterKind kind) {
     case ParameterKind::inertial:
       break;
   }
-  return "a mass property";
+  return "a mass or drive property";
 }
 
 // Trial values of a parameter: many magnitudes of either sign.

@@ -72,7 +72,7 @@ class CouplingUnroller {
                   : joints_.contains(variable) ? "a joint"
                                                : "an instance",
                   variable))
-          .hint = "choose another name for the variable of the loop";
+          .hint = "choose another name for the loop variable";
     std::map<std::string, Span> listed;
     for (const Name& instance : loop.instances) {
       const auto [earlier, is_new] = listed.insert({instance.text, instance.span});
