@@ -28,7 +28,7 @@ is_installed() {
 
 install_missing() {
   if ! command -v apt-get >/dev/null; then
-    echo "bootstrap: this system has no apt-get; wanted are, by their Debian names:" "$@" >&2
+    echo "bootstrap: this system has no apt-get; install these packages (Debian names):" "$@" >&2
     return
   fi
   local missing=() package

@@ -63,7 +63,8 @@ TEST(Hover, SaysWhatElementsAre) {
   EXPECT_EQ(
       hover(client, uri, "len|gth"), "**parameter** `length`, a length (m)\n\n- default 0.3\n- 1 use in this document");
   EXPECT_EQ(
-      hover(client, uri, "ha|lf"), "**parameter** `half`, of dynamics\n\n- default 0.25\n- 1 use in this document");
+      hover(client, uri, "ha|lf"),
+      "**parameter** `half`, a mass or drive property\n\n- default 0.25\n- 1 use in this document");
   EXPECT_EQ(hover(client, uri, "-PI/|2.0"), "`-PI/2.0` is -90°, -1.5707963267948966 rad");
   EXPECT_EQ(hover(client, uri, "0.7/|2.0"), "`0.7/2.0` is 0.35");
   EXPECT_EQ(hover(client, uri, "0.|3, 0.0) }"), "`0.3` is 17.1887°, 0.3 rad");

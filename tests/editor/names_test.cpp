@@ -194,7 +194,8 @@ TEST_F(Names, ATakenNameIsRefused) {
   client_.change(biped_, twice);
   client_.ask_at("textDocument/rename", biped_, "link ex|tra", {{"newName", "trunk"}});
   ASSERT_FALSE(client_.error.is_null());
-  EXPECT_NE(client_.error.at("message").get<std::string>().find("is it taken?"), std::string::npos) << client_.error;
+  EXPECT_NE(client_.error.at("message").get<std::string>().find("is it already used?"), std::string::npos)
+      << client_.error;
   client_.ask_at("textDocument/rename", biped_, "link ex|tra", {{"newName", "other"}});
   EXPECT_TRUE(client_.error.is_null()) << client_.error;
 }

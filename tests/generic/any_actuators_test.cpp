@@ -55,7 +55,7 @@ TEST(AnyActuators, SayWhatIsWrong) {
   MatrixXd wide(3, 3);
   EXPECT_EQ(
       message_of([&] { robot.actuator_jacobian(three, wide); }),
-      "actuator_jacobian of FourBarLeg: J, in rows, has 3 elements and must have 2");
+      "actuator_jacobian of FourBarLeg: a column of J has 3 elements and must have 2");
   EXPECT_EQ(
       message_of([&] { robot.actuator_jacobian(three, wide.topRows(2)); }),
       "actuator_jacobian: the columns of J must be contiguous");

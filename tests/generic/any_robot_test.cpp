@@ -172,7 +172,7 @@ TEST(AnyRobot, SaysWhichArgumentHasTheWrongSize) {
   MatrixXd H(3, 2);
   EXPECT_EQ(
       message_of([&] { leg.joint_space_inertia(three, H); }),
-      "joint_space_inertia of HyL: H, in columns, has 2 elements and must have 3");
+      "joint_space_inertia of HyL: a row of H has 2 elements and must have 3");
   EXPECT_EQ(
       message_of([&] { leg.homogeneous_transform(100, three); }),
       "homogeneous_transform of HyL: index 100 is out of range");
@@ -190,7 +190,7 @@ TEST(AnyRobot, AsksForGravityWhereTheBaseFloats) {
   const AnyRobot robot = make_any<quadruped::Robot>(quadruped::reflection::robot);
   const VectorXd q = VectorXd::Zero(12), v = VectorXd::Zero(18);
   VectorXd tau(12), f(18);
-  const std::string end = " of Quadruped: the base floats, so gravity must be given, in base coordinates";
+  const std::string end = " of Quadruped: the base floats: give gravity in base coordinates";
   EXPECT_EQ(message_of([&] { robot.inverse_dynamics(q, v, q, tau); }), "inverse_dynamics" + end);
   EXPECT_EQ(
       message_of([&] { robot.inverse_dynamics_fully_actuated(q, v, v, f); }), "inverse_dynamics_fully_actuated" + end);

@@ -123,8 +123,7 @@ TEST_P(AssembledLoops, AreRefusedWithoutAPosition) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>("flat.kindsl", flat(GetParam()));
   EXPECT_FALSE(import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics));
-  EXPECT_NE(diagnostics.render().find("or write 'assembled = 0.5' in joints, positions"), std::string::npos)
-      << diagnostics.render();
+  EXPECT_NE(diagnostics.render().find("or give joints a position"), std::string::npos) << diagnostics.render();
 }
 
 TEST_P(AssembledLoops, AgreeWithTheReference) {

@@ -89,4 +89,4 @@ expect_equal("operations after convert" "${crane_again.kindsl_ops}" "${crane.xml
 run_failing(output ${TOOL} ops --floating-base ${work_dir}/crane.xml)
 expect_words("options of URDF" "${output}" "states these properties itself")
 run_failing(output ${TOOL} print ${work_dir}/crane.xml)
-expect_words("print" "${output}" "'robcogen convert' makes it one")
+expect_words("print" "${output}" "'robcogen convert' turns it into one")

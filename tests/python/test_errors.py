@@ -28,7 +28,7 @@ class Errors(unittest.TestCase):
             external=np.zeros((6, 8)))
         self.refuse(
             ValueError, "inverse_dynamics: q has sequences of different lengths: 7 and 6", [[0.0] * 7, [0.0] * 6], Z, Z)
-        self.refuse(ValueError, "inverse_dynamics: q has numbers beside sequences", [[0.0] * 7, 1.0], Z, Z)
+        self.refuse(ValueError, "inverse_dynamics: q mixes numbers and sequences", [[0.0] * 7, 1.0], Z, Z)
         self.refuse(ValueError, "inverse_dynamics: q has too many dimensions", [[[[0.0]]]], Z, Z)
 
     def test_types(self):
@@ -42,7 +42,7 @@ class Errors(unittest.TestCase):
     def test_calls(self):
         self.refuse(TypeError, "inverse_dynamics: qdd is missing", Z, Z)
         self.refuse(TypeError, "inverse_dynamics: q is missing", None, Z, Z)
-        self.refuse(TypeError, "inverse_dynamics: takes 5 arguments, 6 are given", Z, Z, Z, None, None, Z)
+        self.refuse(TypeError, "inverse_dynamics: takes at most 5 arguments, got 6", Z, Z, Z, None, None, Z)
         self.refuse(TypeError, "inverse_dynamics: unknown argument 'speed'", Z, Z, Z, speed=1)
         self.refuse(TypeError, "inverse_dynamics: q is given twice", Z, Z, Z, q=Z)
 
@@ -62,7 +62,7 @@ class Errors(unittest.TestCase):
         self.refuse(ValueError, out + "overlaps q", both[:7], Z, Z, out=both[:7])
         for strides in ((0, 8), (8, 8), (56, 4)):
             shared = np.lib.stride_tricks.as_strided(np.zeros(100), (3, 7), strides)
-            self.refuse(ValueError, out + "has elements that share their place", np.zeros((3, 7)), Z, Z, out=shared)
+            self.refuse(ValueError, out + "has elements that share memory", np.zeros((3, 7)), Z, Z, out=shared)
         L = np.zeros(9)
         self.refuse(
             ValueError, "joint_space_inertia_factor: out for inverse_diagonal overlaps that for L", leg.Parameters(), [0, 0, 0],
@@ -72,9 +72,9 @@ class Errors(unittest.TestCase):
             function=leg.joint_space_inertia_factor, out=L)
 
     def test_parameters(self):
-        self.refuse(TypeError, "Parameters takes its values by name", 1.0, function=leg.Parameters)
+        self.refuse(TypeError, "Parameters takes keyword arguments only", 1.0, function=leg.Parameters)
         self.refuse(
-            TypeError, "Parameters: a name that is not one of parameter_names", mass=1.0, function=leg.Parameters)
+            TypeError, "Parameters: unknown name; parameter_names lists the names", mass=1.0, function=leg.Parameters)
         with self.assertRaises(TypeError):
             leg.Parameters(upperleg_length="long")
         with self.assertRaises(AttributeError):

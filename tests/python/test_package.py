@@ -74,7 +74,7 @@ class Package(unittest.TestCase):
         tool = os.environ.pop("ROBCOGEN_TOOL")
         path, os.environ["PATH"] = os.environ["PATH"], ""
         try:
-            with self.assertRaisesRegex(robcogen.Error, "there is no robcogen: install it, or name it in ROBCOGEN_TOOL"):
+            with self.assertRaisesRegex(robcogen.Error, "cannot find the program robcogen: install it, or name it in ROBCOGEN_TOOL"):
                 robcogen.load(SOURCES / "robots" / "hyl" / "hyl.kindsl")
         finally:
             os.environ["ROBCOGEN_TOOL"], os.environ["PATH"] = tool, path

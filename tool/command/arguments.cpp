@@ -276,7 +276,7 @@ Signature signature_of(
     if (some_do_without || (array.role == Role::gravity && !tree.floating_base))
       a.defaults = default_of(array);
     else if (array.role == Role::gravity)
-      a.meaning += ", required because it says how the floating base is oriented";
+      a.meaning += ", required because it depends on the orientation of the floating base";
     signature.arguments.push_back(std::move(a));
   }
   return signature;

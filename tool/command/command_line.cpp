@@ -91,7 +91,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
 }
 
 constexpr const char* kStrictHelp =
-    "Warnings about the desired-transforms document, and about suspicious names and angles, are errors";
+    "Treat warnings about the desired-transforms document, and about suspicious names and angles, as errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
 
 void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
@@ -99,13 +99,15 @@ void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
       .add_option_function<std::string>(
           "--error-format",
           [&format](const std::string& name) { format = name == "msvc" ? ErrorFormat::msvc : ErrorFormat::gnu; },
-          "How messages name places: gnu or msvc")
+          "Format of the positions in messages: gnu or msvc")
       ->check(one_of({"gnu", "msvc"}));
 }
 
 void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::path>& folders) {
   subcommand
-      .add_option("-I,--import-folder", folders, "Folder to search for imported documents, after that of the document")
+      .add_option(
+          "-I,--import-folder", folders,
+          "Folder to search for imported documents, after the folder of the importing document")
       ->allow_extra_args(false);
 }
 
@@ -114,8 +116,7 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
   subcommand.add_flag(
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
-      "--free-mimic-joints", options.free_mimic_joints,
-      "URDF, MJCF: a joint that is coupled to another is an independent joint");
+      "--free-mimic-joints", options.free_mimic_joints, "URDF, MJCF: coupled joints are read as independent joints");
   subcommand.add_flag(
       "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
   subcommand.add_flag(
@@ -143,22 +144,22 @@ std::vector<std::string> chosen_steps(const std::vector<std::string>& words) {
 }
 
 CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
-  CLI::Option* file =
-      subcommand.add_option("model", model.file, "Robot (.kindsl or .urdf), motions (.motdsl) or transforms (.ctdsl)");
+  CLI::Option* file = subcommand.add_option(
+      "model", model.file, "Robot (.kindsl, .urdf or MJCF), motions (.motdsl) or transforms (.ctdsl)");
   file->required();
   subcommand.add_option("--desired", model.desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand
       .add_option(
           "--contacts", model.contacts,
-          "Frames that touch what does not move, for functions of contacts: a comma-separated list of FRAME or "
-          "FRAME:point (three rows) and FRAME:surface (six)")
+          "Frames in contact with a fixed environment, for the functions of contacts: a comma-separated list of FRAME "
+          "or FRAME:point (three rows) and FRAME:surface (six)")
       ->delimiter(',')
       ->allow_extra_args(false);
   subcommand.add_flag("--strict", model.strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(
           "--passes", [&model](const std::vector<std::string>& names) { model.steps.names = chosen_steps(names); },
-          "Steps of optimisation: a comma-separated list, or none")
+          "Optimisation steps: a comma-separated list, or none")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(words_for_steps()))
@@ -166,8 +167,8 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   subcommand
       .add_option(
           "--effort", model.steps.effort,
-          "Time to search for link frames that make the dynamics cheaper: 0 no search, 1 two seconds for forty joints, "
-          "n times as long for n")
+          "Effort of the search for link frames that make the dynamics cheaper: 0 skips it, 1 takes two seconds for "
+          "forty joints, n takes n times as long")
       ->check(CLI::Range(0, 1000));
   subcommand.add_option(
       "--derivatives", model.derivatives,
@@ -200,19 +201,20 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option(
       "--namespace", options->names.enclosing, "Enclosing namespace, a::b; files go to the folder a/b/NAME");
   const std::string default_groups = fmt::format("{}", fmt::join(algorithm::default_groups(), ", "));
-  declare_groups(*subcommand, options->groups, "What to generate; default " + default_groups);
+  declare_groups(*subcommand, options->groups, "Groups of functions to generate; default " + default_groups);
   subcommand->add_flag(
       "--batch", options->has_batches,
-      "cpp: each function also over many states at once, compiled for several processors; robots only");
+      "cpp: also a batch version of each function, for many states at once, compiled for several processors; robots "
+      "only");
   subcommand
       ->add_option(
           "--processors", options->processors,
-          "cpp: processors that functions are compiled for, of which a program chooses when it starts; default "
-          "baseline; robots only")
+          "cpp: processors to compile functions for; a program chooses one of them when it starts; default baseline; "
+          "robots only")
       ->check(one_of({"baseline", "avx2", "avx512"}));
   subcommand->add_flag(
       "--double-only", options->is_double_only,
-      "cpp: nothing in single precision: no namespace f32; half as much to compile");
+      "cpp: no functions in single precision (no namespace f32), which halves the code to compile");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->check(one_of(language_names()));
   subcommand
@@ -221,7 +223,7 @@ Action declare_generate(CLI::App& application) {
           "matlab, maxima, javascript: transforms also as products of Rx, Tx, … that you provide; left or right: the "
           "position of the moved frame")
       ->check(one_of({"left", "right"}));
-  subcommand->add_option("--depfile", options->depfile, "Write the files that were read as a dependency file");
+  subcommand->add_option("--depfile", options->depfile, "Dependency file to write, with the files that were read");
   subcommand->add_option(
       "--depfile-target", options->depfile_target, "Target of the dependency file; default the stamp");
   subcommand->add_option("--stamp", options->stamp, "File to touch when all files are written");
@@ -232,7 +234,8 @@ Action declare_generate(CLI::App& application) {
 Action declare_check(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("check", "Reads documents and reports what is wrong with them");
   auto options = std::make_shared<CheckOptions>();
-  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .motdsl, .ctdsl, .dtdsl)")->required();
+  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, MJCF, .motdsl, .ctdsl, .dtdsl)")
+      ->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
   declare_urdf_options(*subcommand, options->urdf);
@@ -246,9 +249,9 @@ Action declare_print(CLI::App& application) {
   auto options = std::make_shared<PrintOptions>();
   declare_model(*subcommand, options->model);
   subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
-  subcommand->add_flag("--expand", options->expand, "Put the parts in, and print the plain document (robots)");
+  subcommand->add_flag("--expand", options->expand, "Expand the parts, and print the plain document (robots)");
   subcommand->add_flag(
-      "--original", options->original, "Refuse what the first RobCoGen does not read, and name it (robots)");
+      "--original", options->original, "Report what the first RobCoGen does not read as an error (robots)");
   return [options] { return print(*options); };
 }
 
@@ -256,10 +259,10 @@ Action declare_ops(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
   auto options = std::make_shared<OpsOptions>();
   declare_model(*subcommand, options->model);
-  declare_groups(*subcommand, options->groups, "What to count; default all");
+  declare_groups(*subcommand, options->groups, "Groups of functions to count; default all");
   subcommand->add_flag(
-      "--lanes", options->has_lanes, "With congruent limbs in the lanes of vectors, where that is faster");
-  subcommand->add_flag("--json", options->json, "Machine-readable");
+      "--lanes", options->has_lanes, "Put congruent limbs in the lanes of vectors, where that is faster");
+  subcommand->add_flag("--json", options->json, "Print JSON");
   return [options] { return ops(*options); };
 }
 
@@ -273,12 +276,13 @@ Action declare_eval(CLI::App& application) {
           "function", options->function,
           "A name that `robcogen ops` lists, or a transform or Jacobian between any two frames")
       ->required();
-  subcommand->add_flag("--quiet", options->model.quiet, "No warnings and notes of the model, only errors");
+  subcommand->add_flag("--quiet", options->model.quiet, "Print only errors of the model, no warnings and notes");
   subcommand->footer(
       "Reads the arguments of a state as a JSON object from standard input, or those of many states: objects one\n"
-      "after the other, such as one a line, or one array of objects. Writes a line of results, a JSON object, for "
+      "after the other, such as one per line, or one array of objects. Writes a line of results, a JSON object, for "
       "each.\n"
-      "Stops at the first state with an error, which names its line; results of earlier states are written by then.\n"
+      "Stops at the first state with an error, which names its line; results of earlier states have been written by "
+      "then.\n"
       "Without --passes and --effort the plain program is evaluated, without optimisation.");
   return [options] { return eval(*options); };
 }
@@ -286,14 +290,14 @@ Action declare_eval(CLI::App& application) {
 Action declare_convert(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("convert", "Writes a model in another language");
   auto options = std::make_shared<ConvertOptions>();
-  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf) or motions (.motdsl)")->required();
+  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf, MJCF) or motions (.motdsl)")->required();
   subcommand
       ->add_option(
           "to", options->to,
           "File to write; its extension selects the language: .kindsl, .urdf, .motdsl, or .ctdsl for coordinate "
           "transforms")
       ->required();
-  subcommand->add_option("--desired", options->desired, "The transforms to write to a .ctdsl (.dtdsl)");
+  subcommand->add_option("--desired", options->desired, "List (.dtdsl) of the transforms to write to a .ctdsl");
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
       ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
@@ -307,8 +311,10 @@ Action declare_language_server(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand(
       "language-server", "Serves editors over standard input and output: messages, names, completion");
   subcommand->add_flag_callback(
-      "--stdio", [] {}, "Over standard input and output, which is the default");
-  subcommand->footer("Speaks the Language Server Protocol. An editor starts it; tool/editors/ has what editors need.");
+      "--stdio", [] {}, "Use standard input and output, which is the default");
+  subcommand->footer(
+      "Speaks the Language Server Protocol. An editor starts it; tool/editors/ has the configuration of several "
+      "editors.");
   const auto folders = std::make_shared<std::vector<std::filesystem::path>>();
   declare_import_folders(*subcommand, *folders);
   return [folders] { return language_server(*folders); };
@@ -326,13 +332,13 @@ void declare_picture(CLI::App& subcommand, ViewOptions& options, const std::stri
       .add_option(
           "--q", options.q,
           "Positions of the joints (rad, m): 0.1,0.2 in the order of the model, or by name: KFE=0.2; default zero, or "
-          "the limit next to it")
+          "the closest limit")
       ->delimiter(',');
-  subcommand.add_option("--depfile", options.depfile, "Write the files that were read as a dependency file");
+  subcommand.add_option("--depfile", options.depfile, "Dependency file to write, with the files that were read");
 }
 
 Action declare_view(CLI::App& application) {
-  CLI::App* subcommand = application.add_subcommand("view", "Makes a page that shows a robot and moves it");
+  CLI::App* subcommand = application.add_subcommand("view", "Writes an HTML page that shows a robot and moves it");
   auto options = std::make_shared<ViewOptions>();
   declare_picture(*subcommand, *options, "HTML file to write");
   return [options] { return view(*options); };
@@ -342,11 +348,12 @@ Action declare_draw(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("draw", "Draws a robot as SVG");
   auto options = std::make_shared<ViewOptions>();
   declare_picture(*subcommand, *options, "SVG file to write");
-  subcommand->add_option("--azimuth", options->azimuth, "Of the viewer, degrees from x to y; default -60")
+  subcommand->add_option("--azimuth", options->azimuth, "Azimuth of the viewer, in degrees from x to y; default -60")
       ->check(CLI::Range(-360.0, 360.0));
-  subcommand->add_option("--elevation", options->elevation, "Of the viewer, degrees towards z; default 20")
+  subcommand->add_option("--elevation", options->elevation, "Elevation of the viewer, in degrees towards z; default 20")
       ->check(CLI::Range(-90.0, 90.0));
-  subcommand->add_flag("--pattern", options->pattern, "The zeros of the joint-space inertia matrix beside the robot");
+  subcommand->add_flag(
+      "--pattern", options->pattern, "Also draw which elements of the joint-space inertia matrix are zero");
   return [options] { return draw(*options); };
 }
 

@@ -43,7 +43,7 @@ void require_conversion(const ConvertOptions& options) {
   if (from == Language::transforms || (from == Language::motions && to != Language::transforms))
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: '{}' cannot become '{}'\nhint: robots become motions, and "
+                         "robcogen: error: '{}' cannot be converted to '{}'\nhint: robots become motions, and "
                          "robots and motions "
                          "become transforms",
                          options.from, options.to)};
@@ -81,11 +81,11 @@ void require_hinges(const driver::Model& model, const Robot& robot) {
     const std::string message =
         loop.type == model::LoopType::hinge
             ? fmt::format(
-                  "URDF+ cannot say that {} is assembled elsewhere than where it is drawn [loop-lost]\nhint: turn the "
+                  "URDF+ cannot express that {} is not assembled where it is drawn [loop-lost]\nhint: turn the "
                   "placements of its joints to where it is assembled",
                   owner)
             : fmt::format(
-                  "URDF+ has hinges alone, but {} is of type {} [loop-lost]", owner,
+                  "URDF+ has only hinges, but {} is of type {} [loop-lost]", owner,
                   model::kLoopTypes[static_cast<std::size_t>(loop.type)]);
     throw Failure{wrong_input, fmt::format("{}: error: {}", model.file.string(), message)};
   }
@@ -104,11 +104,12 @@ void require_couplings(const driver::Model& model, const Robot& robot) {
   for (const model::Coupling& coupling : robot.tree.couplings) {
     if (exporting::has_urdf_form(robot.tree, coupling)) continue;
     throw Failure{
-        wrong_input, fmt::format(
-                         "{}: error: a joint of URDF mimics one other at most, but joint '{}' of robot '{}' follows {} "
-                         "[coupling-urdf]",
-                         model.file.string(), robot.tree.joints[static_cast<std::size_t>(coupling.joint)].name,
-                         robot.tree.name, coupling.terms.size())};
+        wrong_input,
+        fmt::format(
+            "{}: error: a joint of a URDF mimics at most one joint, but joint '{}' of robot '{}' follows {} "
+            "[coupling-urdf]",
+            model.file.string(), robot.tree.joints[static_cast<std::size_t>(coupling.joint)].name, robot.tree.name,
+            coupling.terms.size())};
   }
 }
 
@@ -122,7 +123,8 @@ std::vector<std::string> names_of(const Robot& robot, model::JointType type) {
 void require_urdf_types(const driver::Model& model, const Robot& robot) {
   refuse_spherical_joints(
       robot.tree, "URDF has no spherical joints",
-      "three continuous joints in a row with massless links between them have the same motions, but for their poles");
+      "three continuous joints in a row with massless links between them have the same motions, except in their "
+      "singular positions");
   const std::vector<std::string> helical = names_of(robot, model::JointType::helical);
   if (helical.empty()) return;
   throw Failure{

@@ -213,7 +213,7 @@ std::optional<JsonValue> JsonReader::next() {
   if (!begins && in_array_ && !is_over_) is_over_ = !go_on_in_array();
   const int first = skip_space();
   if (in_array_ && is_over_) {
-    if (first != EOF) refuse_input(line_, "there is something after the array of states [json-syntax]");
+    if (first != EOF) refuse_input(line_, "unexpected input after the array of states [json-syntax]");
     return std::nullopt;
   }
   if (first == EOF && !in_array_ && !begins) return std::nullopt;

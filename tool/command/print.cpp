@@ -45,13 +45,13 @@ Status print_document(const PrintOptions& options) {
   if (language == driver::Language::urdf || language == driver::Language::mjcf)
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: '{}' is not a document in a language of robcogen\nhint: 'robcogen convert' "
-                         "makes it one",
+                         "robcogen: error: '{}' is not a robcogen document\nhint: 'robcogen convert' turns it into one",
                          file.string())};
   if ((options.original || options.expand) && language != driver::Language::robot)
     throw Failure{
-        wrong_usage,
-        fmt::format("robcogen: error: --{} is for robots: a .kindsl file", options.original ? "original" : "expand")};
+        wrong_usage, fmt::format(
+                         "robcogen: error: --{} applies to robot documents (.kindsl) only",
+                         options.original ? "original" : "expand")};
   Diagnostics diagnostics;
   const std::string text = canonical_text(options, diagnostics);
   report(diagnostics.render(options.model.error_format));

@@ -50,7 +50,8 @@ void assign(
       continue;
     }
     const std::size_t equals = given[k].find('=');
-    if (equals == std::string::npos) refuse(option, fmt::format("'{}' has no name, but others have", given[k]), "");
+    if (equals == std::string::npos)
+      refuse(option, fmt::format("'{}' has no name, but other values have one", given[k]), "");
     const std::string name = given[k].substr(0, equals);
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end())

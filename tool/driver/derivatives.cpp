@@ -53,7 +53,7 @@ void require_smooth_inputs(const Derivative& derivative, const Program& program)
         std::count(derivative.inputs.begin(), derivative.inputs.end(), array.name) > 0)
       refuse(
           derivative, fmt::format(
-                          "the elements of '{}' are 0 or 1, with nothing between; {} also takes {} "
+                          "the elements of '{}' are switches, 0 or 1; {} also takes {} "
                           "[derivative-by-switches]",
                           array.name, derivative.function, fmt::join(others, ", ")));
 }
@@ -182,7 +182,7 @@ Derivative parse_derivative(const std::string& text) {
   };
   // `jacobians::A_J_B:q`, as in C++, means the same as `jacobians.A_J_B:q`.
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos) refuse_text("no input to differentiate by");
+  if (colon == std::string::npos) refuse_text("no input to differentiate with respect to");
   Derivative result{dotted("", text.substr(0, colon)), {}};
   if (result.function.empty() || result.function.back() == ':') refuse_text("no function to differentiate");
   for (std::size_t begin = colon + 1; begin <= text.size();) {
@@ -191,7 +191,7 @@ Derivative parse_derivative(const std::string& text) {
     if (input.empty()) refuse_text("an input without a name");
     if (!is_identifier(input)) refuse_text(fmt::format("'{}' is not the name of an input", input));
     if (std::count(result.inputs.begin(), result.inputs.end(), input) > 0)
-      refuse_text(fmt::format("'{}' stands there twice", input));
+      refuse_text(fmt::format("'{}' is given twice", input));
     result.inputs.push_back(input);
     begin = end + 1;
   }
@@ -215,7 +215,7 @@ std::vector<RobotFunction> derivative_functions(
     const RobotFunction& first = found.overloads.front();
     if (first.scope == "inertia_factor")
       refuse(
-          derivative, "functions of a factor take an object, not numbers",
+          derivative, "functions of an inertia factor take an object, not numbers",
           "joint_space_inertia and forward_dynamics have derivatives");
     require_inputs(derivative, programs_of(found.overloads));
     for (RobotFunction& f : algorithm::functions(

@@ -19,7 +19,7 @@ std::string kind_of(const Parameter& p) {
   const std::string name = p.kind == ParameterKind::length  ? "lengths"
                            : p.kind == ParameterKind::angle ? "angles"
                            : p.kind == ParameterKind::ratio ? "ratios"
-                                                            : "mass properties";
+                                                            : "mass and drive properties";
   return p.is_in_masses_too ? name + ", in mass properties too" : name;
 }
 

@@ -92,8 +92,8 @@ void require_traceable(const Model& model) {
   if (joints <= kMaxJoints) return;
   throw Failure{
       wrong_input, fmt::format(
-                       "{}: error: robot '{}' has {} joints; programs are made for at most {} [too-many-joints]",
-                       model.file.string(), tree.name, joints, kMaxJoints)};
+                       "{}: error: robot '{}' has {} joints; the limit is {} [too-many-joints]", model.file.string(),
+                       tree.name, joints, kMaxJoints)};
 }
 
 Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps) {

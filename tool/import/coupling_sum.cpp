@@ -131,7 +131,7 @@ class SumReader {
     if (!std::exchange(is_wrong_, true))
       diagnostics_.error(
           "coupling-not-linear", reader_.place(e),
-          "a coupling is a sum of joints times constants, and of a constant: this is not linear in the joints");
+          "this is not linear in the joints: a coupling is a sum of joints times constants, plus a constant");
     return {};
   }
 };

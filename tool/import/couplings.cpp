@@ -27,14 +27,14 @@ void check_unit(
   if (turns == joint_turns) {
     diagnostics.error(
         "coupling-units", reader.place(*coupling.value),
-        fmt::format("the factor of joint '{}' has no unit: both joints {}", joint, turns ? "turn" : "slide"));
+        fmt::format("the factor of joint '{}' must not have a unit: both joints {}", joint, turns ? "turn" : "slide"));
     return;
   }
   diagnostics
       .error(
           "coupling-units", reader.place(term.span),
           fmt::format(
-              "joint '{}' {} and joint '{}' {}: the factor needs its unit", coupling.joint.text,
+              "joint '{}' {} and joint '{}' {}: the factor needs a unit", coupling.joint.text,
               turns ? "turns" : "slides", joint, joint_turns ? "turns" : "slides"))
       .hint = fmt::format("write '20.0 {} * {}', for example", turns ? "rad/m" : "m/rad", joint);
 }
@@ -55,7 +55,7 @@ void check_units(
   diagnostics.error(
       "coupling-units", reader.place(*coupling.value),
       fmt::format(
-          "the constant of the coupling of joint '{}' is in {}", coupling.joint.text, own.rad != 0 ? "rad" : "m"));
+          "the constant of the coupling of joint '{}' must be in {}", coupling.joint.text, own.rad != 0 ? "rad" : "m"));
 }
 
 }  // namespace

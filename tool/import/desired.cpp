@@ -22,7 +22,7 @@ std::string connections(const model::RigidMotions& motions, const std::string& f
   for (const std::string& other : motions.frames) {
     if (other != frame && model::transform_between(motions, frame, other)) names.push_back(fmt::format("'{}'", other));
   }
-  if (names.empty()) return fmt::format("'{}' is connected to no frame", frame);
+  if (names.empty()) return fmt::format("'{}' is not connected to any frame", frame);
   if (names.size() > kShown) {
     names.resize(kShown);
     names.push_back("…");

@@ -35,12 +35,12 @@ void FrameResolver::check_variable(const desired::Name& variable) {
       .error(
           "loop-variable", place(variable.span),
           fmt::format(
-              "'{}' is {} of {} '{}' already", variable.text,
+              "'{}' is already {} of {} '{}'", variable.text,
               is_link    ? "a link"
               : is_frame ? "a frame"
                          : "an instance",
               known_.kind, known_.owner))
-      .hint = "choose another name for the variable of the loop";
+      .hint = "choose another name for the loop variable";
 }
 
 void FrameResolver::check_loops() {
@@ -101,8 +101,7 @@ void FrameResolver::warn_unknown(const desired::Name& name, const std::string& c
   const bool is_world = name.text == "world" || name.text == model::implicit_frame_name("world");
   if (is_world && known_.kind == "robot") {
     warning.hint = fmt::format(
-        "the base is fixed to the world, or moves in it when it is 'floating': its frame is '{}'",
-        known_.index.name_of(0));
+        "the base is fixed to the world, or moves in it if 'floating': its frame is '{}'", known_.index.name_of(0));
   } else if (const auto similar = known_.index.nearest_to(name.text)) {
     warning.hint = fmt::format("did you mean '{}'?", known_.index.name_of(*similar));
   }

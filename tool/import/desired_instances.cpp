@@ -57,7 +57,7 @@ bool InstanceResolver::exists(const std::string& instance, const Span& span) {
         .error(
             "unknown-instance", place(span),
             fmt::format(
-                "{} '{}' has no instance '{}' of a part, nor frames whose names begin with '{}_'", known_.kind,
+                "{} '{}' has neither an instance '{}' of a part nor frames whose names begin with '{}_'", known_.kind,
                 known_.owner, instance, instance))
         .hint = did_you_mean(instance, known);
   return false;

@@ -56,7 +56,7 @@ class DriveDescriber {
 
   void describe_assembled(const ExpressionPtr& position) {
     double& value = described_.assembled.emplace();
-    read_constant(position, "the position in which loops are assembled", value, described_.assembled_place);
+    read_constant(position, "'assembled'", value, described_.assembled_place);
     check_angle(*position, model::Quantity(Number(value)));
   }
 

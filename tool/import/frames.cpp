@@ -142,7 +142,8 @@ class MotionsReader {
     }
     const auto [earlier, is_new] = pairs_.insert({std::minmax(from, to), place});
     if (!is_new) {
-      diagnostics_.error("duplicate-motion", place, fmt::format("frames '{}' and '{}' have a second motion", from, to))
+      diagnostics_
+          .error("duplicate-motion", place, fmt::format("a second motion connects frames '{}' and '{}'", from, to))
           .notes.push_back({earlier->second, "the first one is here"});
     } else if (!forest_.connect(from, to)) {
       diagnostics_

@@ -167,9 +167,8 @@ class Describer {
       diagnostics_
           .warning(
               "pitch-unit", place(joint.pitch->span),
-              fmt::format(
-                  "the pitch of joint '{}' is {} m a radian", joint.name.text, print_double(pitch.number().value())))
-          .hint = "a screw of 10 mm a turn has 'pitch = 0.01 / (2.0 PI)'";
+              fmt::format("the pitch of joint '{}' is {} m/rad", joint.name.text, print_double(pitch.number().value())))
+          .hint = "a screw with a lead of 10 mm per turn has 'pitch = 0.01 / (2.0 PI)'";
     return pitch;
   }
 

@@ -31,7 +31,7 @@ const char* kind_name(ParameterKind kind) {
     case ParameterKind::inertial:
       break;
   }
-  return "a mass property";
+  return "a mass or drive property";
 }
 
 // Trial values of a parameter: many magnitudes of either sign.
@@ -206,7 +206,7 @@ Quantity QuantityReader::member(const Expression& expression, ParameterKind kind
     std::vector<std::string> names;
     for (const auto& [name, other] : groups_) names.push_back(name);
     Diagnostic& error = diagnostics_.error(
-        "unknown-group", place(expression), fmt::format("unknown group '{}' of parameters", expression.group));
+        "unknown-group", place(expression), fmt::format("unknown parameter group '{}'", expression.group));
     error.hint = did_you_mean(expression.group, names);
     return fault(error);
   }

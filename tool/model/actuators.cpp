@@ -49,7 +49,7 @@ void resolve_actuators(const Description& description, KinematicTree& tree, Diag
               fmt::format(
                   "actuator '{}' connects two frames of link '{}'", described.name,
                   tree.links[static_cast<std::size_t>(link)].name))
-          .hint = "the frames of an actuator are on links that move with respect to one another";
+          .hint = "the frames of an actuator must be on links that move relative to each other";
       continue;
     }
     if (coincide(tree, *ends[0], *ends[1])) {
@@ -59,7 +59,7 @@ void resolve_actuators(const Description& description, KinematicTree& tree, Diag
               fmt::format(
                   "actuator '{}' has no length: the origins of '{}' and '{}' coincide in every position",
                   described.name, described.frames[0], described.frames[1]))
-          .hint = "declare frames where the ends of the actuator are fixed";
+          .hint = "declare frames at the points where the ends of the actuator are attached";
       continue;
     }
     tree.actuators.push_back({described.name, described.frames, described.place});

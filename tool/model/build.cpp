@@ -186,7 +186,7 @@ std::optional<int> find_or_report(
   if (repeats) return std::nullopt;  // the name may refer to one of the duplicates
   Diagnostic& error = diagnostics.error(unknown_code, place, fmt::format("{} '{}' is not declared", kind, name));
   if (name == "world") {
-    error.hint = "leave the world out: the RobotBase is fixed to it, or moves in it when it is 'floating'";
+    error.hint = "omit the world: the RobotBase is fixed to the world, or moves in it if 'floating'";
   } else if (const auto similar = index.nearest_to(name)) {
     error.hint = fmt::format("did you mean '{}'?", index.name_of(*similar));
     meant.insert(*similar);

@@ -64,7 +64,7 @@ void check_spherical(const DescribedJoint& joint, Diagnostics& diagnostics) {
   refuse("a spring", places.stiffness);
   refuse("a rotor", places.rotor);
   refuse("limits of position", places.position_limits);
-  refuse("a position in which loops are assembled", joint.assembled_place);
+  refuse("an 'assembled' position", joint.assembled_place);
 }
 
 }  // namespace

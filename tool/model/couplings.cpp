@@ -104,7 +104,7 @@ class Resolution {
     if (!joint || description_.joints[at(*joint)].type != JointType::spherical) return;
     diagnostics_.error(
         "coupled-spherical-joint", place,
-        fmt::format("spherical joint '{}' cannot be coupled: its position is not a number", name(*joint)));
+        fmt::format("spherical joint '{}' cannot be coupled: its position is not a single number", name(*joint)));
   }
 
   // Resolves this joint and all joints that it follows. Uses an explicit stack, because a chain may be deeper than the

@@ -56,7 +56,7 @@ class LoopDeclaration {
               fmt::format(
                   "loop '{}' connects two frames of link '{}'", described.name,
                   tree_.links[at(loop.ends[0].link)].name))
-          .hint = "the frames of a loop are on links that move with respect to one another";
+          .hint = "the frames of a loop must be on links that move relative to each other";
       return;
     }
     if (const Parameter* unknown = parameter_without_value(loop)) {
@@ -64,9 +64,10 @@ class LoopDeclaration {
           .error(
               "loop-without-value", described.place,
               fmt::format(
-                  "loop '{}' depends on parameter '{}', which has no default value: how it is assembled is unknown",
+                  "loop '{}' depends on parameter '{}', which has no default value: the assembly of the loop is "
+                  "unknown",
                   loop.name, unknown->name))
-          .hint = fmt::format("write '{}[0.35]', for example, where it stands", unknown->name);
+          .hint = fmt::format("give it a default where it is used, such as '{}[0.35]'", unknown->name);
       return;
     }
     tree_.loops.push_back(std::move(loop));
@@ -80,13 +81,12 @@ class LoopDeclaration {
       diagnostics_
           .error(
               "assembled-coupled", described.assembled_place,
-              fmt::format(
-                  "joint '{}' cannot say where loops are assembled: a coupling ties it to others", described.name))
-          .hint = "write 'assembled' in the joints that it follows";
+              fmt::format("joint '{}' cannot have 'assembled': a coupling ties it to others", described.name))
+          .hint = "write 'assembled' for the joints that it follows";
     } else if (!moves_loop(joint)) {
       diagnostics_.error(
           "assembled-without-loop", described.assembled_place,
-          fmt::format("joint '{}' says where loops are assembled, but moves none", described.name));
+          fmt::format("joint '{}' has 'assembled', but does not move a loop", described.name));
     }
   }
 

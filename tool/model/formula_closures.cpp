@@ -103,8 +103,8 @@ class FormulaSearch {
         .error(
             "loop-over-constrained", loop.place,
             fmt::format(
-                "loop '{}' takes away {}, but only {} of its joints can follow the others", loop.name,
-                wanted == 1 ? "one motion" : "two motions", free.empty() ? "none" : "one"))
+                "loop '{}' removes {}, but {} of its joints can follow the others", loop.name,
+                wanted == 1 ? "one degree of freedom" : "two degrees of freedom", free.empty() ? "none" : "only one"))
         .hint = context_.hint_to_free(joints_of(loop));
   }
 
@@ -130,10 +130,10 @@ class FormulaSearch {
         .warning(
             "loop-flat", loop.place,
             fmt::format(
-                "loop '{}' is flat at q = 0: it is taken for a parallelogram, whose opposite links stay parallel, not "
-                "for crossed links",
+                "loop '{}' is flat at q = 0: it is treated as a parallelogram, whose opposite links stay parallel, not "
+                "as crossed links",
                 loop.name))
-        .hint = context_.hint_to_assemble(joints_of(loop), "the loop is open");
+        .hint = context_.hint_to_assemble(joints_of(loop), "the loop is not flat");
   }
 
   std::vector<std::pair<Score, std::vector<int>>> dependents_of(
@@ -300,18 +300,16 @@ void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<dou
         .error(
             "loop-stretched", loop.place,
             fmt::format(
-                "loop '{}' is stretched {}: the way it is assembled, and the motions of {}, are undefined", loop.name,
+                "loop '{}' is stretched {}: its assembly, and the motions of {}, are undefined", loop.name,
                 context.where(joints_of(loop)), context.quoted(closure.dependents)))
-        .hint = context.hint_to_assemble(joints_of(loop), "the loop is open");
+        .hint = context.hint_to_assemble(joints_of(loop), "the loop is not stretched");
     return;
   }
   closure.branch = branch_of(context.tree, closure, now);
   if (loop.takes_other_branch && !assemble_other_way(context, closure, q))
     context.diagnostics.error(
         "loop-branch", loop.place,
-        fmt::format(
-            "loop '{}' has no other way to be assembled {} than that which is drawn", loop.name,
-            context.where(joints_of(loop))));
+        fmt::format("loop '{}' has only one assembly {}: the drawn one", loop.name, context.where(joints_of(loop))));
 }
 
 }  // namespace robcogen::model

@@ -36,15 +36,16 @@ std::string reason(const KinematicTree& tree, const InertiaDefects::FreeJoint& f
   const char* missing = missing_inertia(joint.type);
   return free.locked
              ? fmt::format("nothing that joint '{}' moves has {}", joint.declared_name(), missing)
-             : fmt::format("joint '{}' meets no inertia while the joints beyond it are free", joint.declared_name());
+             : fmt::format(
+                   "joint '{}' has no effective inertia while the joints beyond it are free", joint.declared_name());
 }
 
 std::string reason_of_base(const KinematicTree& tree) {
   return fmt::format(
-      "floating base '{}' meets no inertia in some direction while the joints are free", tree.links[0].name);
+      "floating base '{}' has no effective inertia in some direction while the joints are free", tree.links[0].name);
 }
 
-// Returns the subject and verb of a message, as in `joints 'a', 'b' and floating base 'trunk' meet`.
+// Returns the subject and verb of a message, as in `joints 'a', 'b' and floating base 'trunk' have`.
 std::string subject(const KinematicTree& tree) {
   const InertiaDefects& defects = tree.inertia_defects;
   std::vector<std::string> names;
@@ -55,7 +56,7 @@ std::string subject(const KinematicTree& tree) {
   if (!names.empty()) text = fmt::format("joint{} {}", names.size() > 1 ? "s" : "", fmt::join(names, ", "));
   if (defects.free_base) text += fmt::format("{}floating base '{}'", text.empty() ? "" : " and ", tree.links[0].name);
   const bool is_one = defects.joints.size() + (defects.free_base ? 1 : 0) == 1;
-  return text + (is_one ? " meets" : " meet");
+  return text + (is_one ? " has" : " have");
 }
 
 void report_singular(const KinematicTree& tree, Diagnostics& diagnostics) {
@@ -68,7 +69,8 @@ void report_singular(const KinematicTree& tree, Diagnostics& diagnostics) {
   Diagnostic& warning = diagnostics.warning(
       kSingular, reasons.front().place,
       fmt::format(
-          "{} no inertia: the joint-space inertia matrix is singular in every position; forward dynamics{} and "
+          "{} no effective inertia: the joint-space inertia matrix is singular in every position; forward dynamics{} "
+          "and "
           "the factor of the matrix are not available",
           subject(tree), defects.locked_base ? ", inverse dynamics of the free base" : ""));
   warning.notes = std::move(reasons);

@@ -36,12 +36,12 @@ class IterativeSearch {
       return report(
           "loop-over-constrained",
           fmt::format(
-              "{} away {}, but only {} of {} joints can follow the others", take(), motions(rank), follow, their()),
+              "{} {}, but only {} of {} joints can follow the others", removes(), freedoms(rank), follow, their()),
           context_.hint_to_free(cluster_.joints()));
     if (rank == joints)
       return report(
-          "loop-over-constrained", fmt::format("{} away all {} of {} joints", take(), motions(rank), their()),
-          "take a loop away, or add a joint");
+          "loop-over-constrained", fmt::format("{} all {} of {} joints", removes(), freedoms(rank), their()),
+          "remove a loop, or add a joint");
     if (!moves(closure.dependents, rank)) return std::nullopt;
     return closure;
   }
@@ -61,10 +61,14 @@ class IterativeSearch {
     return text;
   }
   bool is_one() const { return loops_.size() == 1; }
-  std::string take() const { return (is_one() ? "loop " : "loops ") + names() + (is_one() ? " takes" : " take"); }
+  std::string removes() const {
+    return (is_one() ? "loop " : "loops ") + names() + (is_one() ? " removes" : " remove");
+  }
   std::string their() const { return is_one() ? "its" : "their"; }
   std::string where() const { return context_.where(cluster_.joints()); }
-  static std::string motions(int count) { return fmt::format("{} motion{}", count, count == 1 ? "" : "s"); }
+  static std::string freedoms(int count) {
+    return fmt::format("{} {} of freedom", count, count == 1 ? "degree" : "degrees");
+  }
 
   std::nullopt_t report(const std::string& code, const std::string& message, const std::string& hint) {
     context_.report(first(), {code, message, hint});
@@ -84,8 +88,8 @@ class IterativeSearch {
       return report(
           "loop-cannot-close",
           fmt::format(
-              "{} would close {} with frames that are turned by half a turn",
-              is_one() ? "loop " + names() : "loops " + names(), where()),
+              "{} would close {} with frames half a turn apart", is_one() ? "loop " + names() : "loops " + names(),
+              where()),
           "turn one of the frames by PI");
     if (is_one()) {
       PlaneFault fault = open_loop(first(), gap, where());
@@ -130,9 +134,10 @@ class IterativeSearch {
           report(
               "loop-stretched",
               fmt::format(
-                  "{} away {} {}, but {} nearby: the motions of {} are undefined", take(), motions(rank), where(),
+                  "{} {} {}, but {} nearby: the motions of {} are undefined", removes(), freedoms(rank), where(),
                   nearby, context_.quoted(following)),
-              context_.hint_to_assemble(cluster_.joints(), is_one() ? "the loop is open" : "the loops are open"));
+              context_.hint_to_assemble(
+                  cluster_.joints(), is_one() ? "the loop is not stretched" : "the loops are not stretched"));
           return false;
         }
         break;
@@ -142,10 +147,10 @@ class IterativeSearch {
       report(
           "loop-over-constrained",
           fmt::format(
-              "{} away {} {}, but {} joints close {} there alone: that is stretched, or nothing moves", take(),
-              motions(rank), where(), their(), is_one() ? "it" : "them"),
-          reason_in_space().empty() ? context_.hint_to_assemble(cluster_.joints(), "the links are open") +
-                                          "; axes that are meant to be parallel, or to meet, must do so to the digit"
+              "{} {} {}, but {} joints close {} only there: {} stretched, or cannot move", removes(), freedoms(rank),
+              where(), their(), is_one() ? "it" : "them", is_one() ? "it is" : "they are"),
+          reason_in_space().empty() ? context_.hint_to_assemble(cluster_.joints(), "the links are not stretched") +
+                                          "; axes that are meant to be parallel or to intersect must do so exactly"
                                     : reason_in_space());
     return has_moved;
   }
@@ -160,8 +165,8 @@ std::optional<Closure> iterative_closure(LoopContext& context, const std::vector
     context.diagnostics
         .error(
             "loop-branch", loop.place,
-            fmt::format("loop '{}' is closed by Newton's method, which knows no other branch", loop.name))
-        .hint = "turn the placements of its joints to where it is to be assembled: the closest assembly is taken";
+            fmt::format("loop '{}' is closed by Newton's method, which has no other branch", loop.name))
+        .hint = "turn the placements of its joints to the assembly that is wanted: the closest one is taken";
     return std::nullopt;
   }
   return IterativeSearch(context, loops, q).run();

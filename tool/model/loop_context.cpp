@@ -35,23 +35,22 @@ bool LoopContext::has_start(const std::vector<int>& joints) const {
 }
 
 std::string LoopContext::where(const std::vector<int>& joints) const {
-  return has_start(joints) ? "where its joints say that it is assembled" : "at q = 0";
+  return has_start(joints) ? "at the 'assembled' positions" : "at q = 0";
 }
 
 std::string LoopContext::hint_to_close(const std::vector<int>& joints) const {
-  if (has_start(joints)) return "the independent joints are where they say, or at zero: check lengths and frames";
-  return std::string(
-             "q = 0 of the independent joints is the position in which a loop is assembled: check lengths and "
-             "frames, or ") +
-         (may_say_assembled ? "write 'assembled = 0.5' in joints, positions near which it closes"
-                            : "turn the placement of a joint to where it closes");
+  if (has_start(joints))
+    return "independent joints are at their 'assembled' positions, or at zero: check lengths and frames";
+  return std::string("loops are assembled with the independent joints at q = 0: check lengths and frames, or ") +
+         (may_say_assembled ? "give joints a position near which the loop closes, such as 'assembled = 0.5'"
+                            : "turn the placement of a joint so that the loop closes");
 }
 
 std::string LoopContext::hint_to_assemble(const std::vector<int>& joints, const std::string& how) const {
-  if (has_start(joints)) return fmt::format("'assembled' of its joints must be positions near which {}", how);
+  if (has_start(joints)) return fmt::format("'assembled' must give positions near which {}", how);
   const std::string turned = fmt::format("turn the placement of a joint so that {} at q = 0", how);
   if (!may_say_assembled) return turned;
-  return turned + fmt::format(", or write 'assembled = 0.5' in joints, positions in which {}", how);
+  return turned + fmt::format(", or give joints a position where {}, such as 'assembled = 0.5'", how);
 }
 
 bool LoopContext::is_free(int joint) const {

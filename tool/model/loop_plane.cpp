@@ -27,7 +27,7 @@ Reason off_plane(const std::string& what, double off) {
   if (off > kMeantParallel) return {fmt::format("the axis of '{}' is in another direction", what)};
   return {
       fmt::format(
-          "the axis of '{}' is off by {:.2g} rad; write PI/2.0 and the like where angles are rounded", what, off),
+          "the axis of '{}' is off by {:.2g} rad; write PI/2.0, for example, instead of a rounded angle", what, off),
       true};
 }
 
@@ -44,7 +44,7 @@ Reason reason_against(
   for (const LoopScrew& screw : posture.screws) {
     const Joint& joint = tree.joints[at(screw.joint)];
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
-      return {fmt::format("joint '{}' neither turns nor slides alone", joint.name)};
+      return {fmt::format("joint '{}' is neither revolute nor prismatic", joint.name)};
     const double off = off_normal(screw, normal);
     if (off > kParallel) return off_plane(joint.name, off);
   }
@@ -52,7 +52,8 @@ Reason reason_against(
     const double off = norm(cross(posture.axes[e][2], normal));
     if (off > kMeantParallel)
       return {fmt::format(
-          "the z axis of '{}', about which the hinge turns, is not parallel to its joints", loop.ends[e].frame)};
+          "the z axis of '{}', about which the hinge turns, is not parallel to the axes of its joints",
+          loop.ends[e].frame)};
     if (off > kParallel) return off_plane(loop.ends[e].frame, off);
   }
   return {};

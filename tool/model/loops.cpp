@@ -36,8 +36,8 @@ void report_spherical_joints(LoopContext& context) {
                 "loop-spherical", loop.place,
                 fmt::format("spherical joint '{}' cannot be part of loop '{}'", context.name(joint), loop.name))
             .hint =
-            "a rod with a ball at each end moves in the same way with a 'u_joint' at one end, which keeps it from "
-            "spinning, and a loop with 'type = point' at the other; a rod without mass is a loop with a 'distance'";
+            "for a rod with a ball joint at each end, write a 'u_joint' at one end, which keeps it from spinning, and "
+            "a loop with 'type = point' at the other; for a massless rod, write a loop with a 'distance'";
 }
 
 // Groups the loops that share joints, directly or through other loops.

@@ -29,7 +29,7 @@ const std::vector<std::string>& names() {
 symbolic::Program run(symbolic::Program program, const std::vector<std::string>& passes) {
   for (const std::string& name : passes)
     if (std::find(names().begin(), names().end(), name) == names().end())
-      throw std::logic_error("there is no pass '" + name + "'");
+      throw std::logic_error("unknown pass '" + name + "'");
   for (const Pass& pass : kPasses)
     if (std::find(passes.begin(), passes.end(), pass.name) != passes.end()) program = pass.run(std::move(program));
   return program;

@@ -39,8 +39,8 @@ void check_list(const OpenDocument& list, const Documents& documents, RobotFinde
                 "no document, or more than one, declares '{}': the frames of this list are not checked",
                 document.robot.text))
         .hint =
-        "it is searched beside this document under its name, then in the folders of the workspace by the name "
-        "of the robot";
+        "it is looked for by its name in the folder of this document, then by the name of the robot in the folders of "
+        "the workspace";
     return;
   }
   Diagnostics of_robot;

@@ -165,7 +165,7 @@ std::string text_of(const model::Parameter& p) {
   const char* kind = p.kind == model::ParameterKind::length  ? "a length (m)"
                      : p.kind == model::ParameterKind::angle ? "an angle (rad)"
                      : p.kind == model::ParameterKind::ratio ? "a ratio"
-                                                             : "of dynamics";
+                                                             : "a mass or drive property";
   return fmt::format(
       "**parameter** `{}`, {}{}\n\n- default {}", p.name, kind, p.is_in_masses_too ? ", in mass properties too" : "",
       p.default_value ? print_double(*p.default_value) : "none");

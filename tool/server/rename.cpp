@@ -83,7 +83,8 @@ void require_no_harm(Workspace& workspace, const Places& places, const std::stri
   // A new name may resemble another name; that is the user's choice.
   counts.erase("similar-name");
   for (const auto& [code, count] : counts)
-    if (count > 0) refuse(fmt::format("with the name '{}' a document would be wrong ({}): is it taken?", name, code));
+    if (count > 0)
+      refuse(fmt::format("the name '{}' would cause errors or warnings ({}): is it already used?", name, code));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ Json prepare_rename(Workspace& workspace, const Json& parameters) {
 Json rename(Workspace& workspace, const Json& parameters) {
   Lookup lookup(workspace, parameters);
   const std::string name = parameters.at("newName").get<std::string>();
-  if (lookup.at_place == nullptr) refuse("there is no name that could be changed here");
+  if (lookup.at_place == nullptr) refuse("there is no name to rename here");
   const Symbol symbol = lookup.at_place->symbol;
   if (!is_identifier(name))
     refuse(fmt::format("'{}' is not a valid identifier: names consist of A-Z, a-z, 0-9 and '_'", name));
@@ -106,7 +107,7 @@ Json rename(Workspace& workspace, const Json& parameters) {
   if (places.empty() || symbol.name == name) return nullptr;
   for (const auto& [document, spans] : places) {
     if (document->has_errors)
-      refuse(fmt::format("'{}' has errors of syntax: places of the name may be missed", document->path.string()));
+      refuse(fmt::format("'{}' has syntax errors: some uses of the name may be missed", document->path.string()));
     const auto& reserved = keywords(document->language);
     if (std::find(reserved.begin(), reserved.end(), name) != reserved.end())
       refuse(fmt::format("'{}' is a keyword", name));

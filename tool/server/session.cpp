@@ -136,7 +136,7 @@ std::vector<Json> Session::change_folders(const Json& event) {
 }
 
 Json Session::initialize(const Json& parameters) {
-  if (state_ != State::starting) throw RequestError{ErrorCode::invalid_request, "the session is initialized already"};
+  if (state_ != State::starting) throw RequestError{ErrorCode::invalid_request, "the session is already initialized"};
   state_ = State::running;
   workspace_.encoding = encoding_of(parameters);
   workspace_folders_ = folders_of(parameters);
@@ -154,7 +154,7 @@ Json Session::initialize(const Json& parameters) {
 Json Session::answer(const std::string& method, const Json& parameters) {
   if (method == "initialize") return initialize(parameters);
   if (state_ == State::starting)
-    throw RequestError{ErrorCode::server_not_initialized, "the first request is 'initialize'"};
+    throw RequestError{ErrorCode::server_not_initialized, "the first request must be 'initialize'"};
   if (state_ == State::shut_down)
     throw RequestError{ErrorCode::invalid_request, "the session was shut down: only 'exit' may follow"};
   if (method == "shutdown") {

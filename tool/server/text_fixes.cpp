@@ -86,7 +86,7 @@ void add_ids(const Place& place, std::vector<QuickFix>& fixes) {
   Diagnostics ignored;
   const kinematics::Document document = kinematics::parse(place.source, ignored);
   const std::vector<Token> tokens = tokens_of(place.source);
-  QuickFix fix = {"Number the links anew, parents first", {}};
+  QuickFix fix = {"Renumber the links, parents first", {}};
   int next = 1;
   for (const kinematics::Link* link : from_base(document)) {
     if (link->is_base || !link->id) continue;
@@ -100,7 +100,7 @@ void add_ids(const Place& place, std::vector<QuickFix>& fixes) {
 // Turns `translation : (…)  rotation : (…)` in a joint into `ref_frame { translation = (…)  rotation = (…) }`.
 void add_present_dialect(const Place& place, std::vector<QuickFix>& fixes) {
   const std::vector<Token> tokens = tokens_of(place.source);
-  QuickFix fix = {"Write the placements of this dialect", {}};
+  QuickFix fix = {"Rewrite the placements in the current dialect", {}};
   std::vector<std::size_t> open;  // tokens that open the enclosing blocks
   bool is_begun = false;
   for (std::size_t i = 0; i < tokens.size(); ++i) {

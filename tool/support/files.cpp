@@ -100,7 +100,7 @@ bool write_files_if_changed(const fs::path& directory, const std::vector<OutputF
     std::error_code fault;
     if (fs::is_directory(final, fault)) return give_up("cannot replace the folder", final, EISDIR);
     fs::create_directories(final.parent_path(), fault);
-    if (fault) return give_up("cannot make the folder", final.parent_path(), fault.value());
+    if (fault) return give_up("cannot create the folder", final.parent_path(), fault.value());
     fs::path temporary = final;
     temporary += ".robcogen-new";
     changes.push_back({temporary, final});

@@ -61,7 +61,7 @@ std::string verify(const Program& p) {
     }
     return false;
   };
-  if (!is_identifier(p.name)) return "the program has no proper name";
+  if (!is_identifier(p.name)) return "the program has no valid name";
   for (const auto& fault : {fault_of_names(p.inputs), fault_of_names(p.outputs)})
     if (!fault.empty()) return fault;
   std::unordered_set<std::string> names;
@@ -74,19 +74,19 @@ std::string verify(const Program& p) {
     const bool gathers = s.op == Op::gather;
     if ((!gathers && !sound(s.a, i)) || (is_binary(s.op) && !sound(s.b, i)) ||
         !std::all_of(s.lanes.begin(), s.lanes.end(), [&](const Operand& o) { return sound(o, i); }))
-      return "statement '" + s.name + "' reads what is not there";
+      return "statement '" + s.name + "' reads an undefined value";
     if (!has_sound_lanes(p, s)) return "statement '" + s.name + "' reads lanes that do not fit";
     if (s.section < 0 || s.section >= static_cast<int>(p.sections.size()))
       return "statement '" + s.name + "' is in no section";
   }
   for (const Constant& n : p.constants)
-    if (!(n.value() >= 0.0) || std::isinf(n.value())) return "a constant is negative or no number";
+    if (!(n.value() >= 0.0) || std::isinf(n.value())) return "a constant is negative or not a number";
   for (const OutputArray& array : p.outputs) {
     if (array.rows < 0 || array.columns < 0 ||
         array.values.size() != static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns))
       return "output '" + array.name + "' has the wrong number of values";
     for (const Operand& o : array.values) {
-      if (!sound(o, p.statements.size())) return "output '" + array.name + "' reads what is not there";
+      if (!sound(o, p.statements.size())) return "output '" + array.name + "' reads an undefined value";
       if (width_of(p, o) > 1) return "output '" + array.name + "' reads several lanes at once";
     }
   }

@@ -32,7 +32,7 @@ _ORDER_OF_GCC = ["-fschedule-insns", "-fsched-pressure", "-fschedule-insns2"]
 
 
 class Error(Exception):
-    """A model that is wrong, with the generator's messages; or a program that is missing."""
+    """A wrong model, with the messages of the generator, or a missing program."""
 
 
 def load(model, **options):
@@ -47,11 +47,11 @@ def load(model, **options):
 
 
 def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), options=()):
-    """The path of the compiled module; its stub, <name>.pyi, stands beside it.
+    """The path of the compiled module; its stub, <name>.pyi, is in the same folder.
 
-    name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: one beside the model,
-    or all links. algorithms: groups of functions; default: the default ones. derivatives: "inverse_dynamics:q". options:
-    further ones of `robcogen generate`, such as "--floating-base".
+    name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
+    model, or else all links. algorithms: groups of functions; default: the default ones. derivatives:
+    "inverse_dynamics:q". options: further ones of `robcogen generate`, such as "--floating-base".
     """
     model = Path(model).absolute()
     if not model.is_file():
@@ -70,7 +70,7 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
             arguments += [option, *values]
     arguments += options
     tools = [os.environ.get("ROBCOGEN_TOOL"), *_own_tool(), "robcogen"]
-    tool = _program("robcogen", tools, "install it, or name it in ROBCOGEN_TOOL")
+    tool = _program("the program robcogen", tools, "install it, or name it in ROBCOGEN_TOOL")
     version = _run([tool, "--version"])
     cache = _cache()
     # What was read for this call before, and what came of it.
@@ -111,7 +111,7 @@ def _known(call):
 
 
 def _compile(folder, name):
-    compiler = _program("C++ compiler", [os.environ.get("CXX"), "c++", "g++", "clang++"], "install one, or name it in CXX")
+    compiler = _program("a C++ compiler", [os.environ.get("CXX"), "c++", "g++", "clang++"], "install one, or name it in CXX")
     headers = Path(sysconfig.get_paths()["include"])
     if not (headers / "Python.h").is_file():
         raise Error(f"{headers} has no Python.h: install the headers of this Python (Debian: python3-dev)")
@@ -146,7 +146,7 @@ def _runtime():
     for folder in (here / "include", here.parents[2] / "include", here.parents[3] / "include", here.parents[1] / "include"):
         if (folder / "robcogen" / "python" / "make_module.h").is_file():
             return folder
-    raise Error(f"the headers of robcogen are not beside {here}")
+    raise Error(f"cannot find the headers of robcogen near {here}")
 
 
 def _own_tool():
@@ -168,7 +168,7 @@ def _program(what, names, advice):
         found = name and shutil.which(name)
         if found:
             return found
-    raise Error(f"there is no {what}: {advice}")
+    raise Error(f"cannot find {what}: {advice}")
 
 
 def _run(command):

@@ -1,4 +1,4 @@
-"""python3 -m robcogen hyl.kindsl: makes the module of a robot, in this folder or in another."""
+"""python3 -m robcogen hyl.kindsl: builds the module of a robot, in this folder or in another."""
 import argparse
 import shutil
 import sys
@@ -9,16 +9,16 @@ from . import Error, build
 
 def main():
     parser = argparse.ArgumentParser(
-        prog="python3 -m robcogen", description="Makes the Python module of a robot.",
+        prog="python3 -m robcogen", description="Builds the Python module of a robot.",
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("model", help="a robot: .kindsl, .urdf or MJCF")
     parser.add_argument("-o", "--output", default=".", help="folder of the module and its stub; default: this one")
-    parser.add_argument("--name", help="of the module; default: that of the file")
+    parser.add_argument("--name", help="name of the module; default: that of the file")
     parser.add_argument("--desired", help="list of transforms (.dtdsl)")
     parser.add_argument("--algorithms", nargs="+", default=(), help="groups of functions, or all")
-    parser.add_argument("--derivatives", nargs="+", default=(), help="function:input…")
+    parser.add_argument("--derivatives", nargs="+", default=(), help="functions to differentiate: function:input…")
     parser.epilog = (
-        "Anything else is passed on to `robcogen generate`.\n\nExample:\n"
+        "Other options are passed on to `robcogen generate`.\n\nExample:\n"
         "  python3 -m robcogen arm.urdf -o modules --algorithms inverse_dynamics jacobians")
     given, others = parser.parse_known_args()
     try:

@@ -1,2 +1,2 @@
-# robcogen_install_robots(): TARGETS: there is no target 'arm'
+# robcogen_install_robots(): TARGETS: unknown target 'arm'
 robcogen_install_robots(TARGETS arm)

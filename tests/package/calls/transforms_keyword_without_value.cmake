@@ -1,2 +1,2 @@
-# robcogen_add_transforms(TARGET euler): MOTIONS without a value
+# robcogen_add_transforms(TARGET euler): missing value: MOTIONS
 robcogen_add_transforms(TARGET euler MOTIONS)

@@ -177,11 +177,11 @@ INSTANTIATE_TEST_SUITE_P(
             "[unknown-argument]\nhint: did you mean 'qd'?"},
         Fault{"inverse_dynamics:tau", "'tau' is a result, not an argument of inverse_dynamics, which takes parameters"},
         Fault{"inverse_dynamics:0", "'0' is not the name of an input"},
-        Fault{"inverse_dynamics", "no input to differentiate by"},
+        Fault{"inverse_dynamics", "no input to differentiate with respect to"},
         Fault{":q", "no function to differentiate"},
         Fault{"inverse_dynamics:q,,qd", "an input without a name"},
-        Fault{"inverse_dynamics:q,q", "'q' stands there twice"},
-        Fault{"inertia_factor.solve:x", "functions of a factor take an object"},
+        Fault{"inverse_dynamics:q,q", "'q' is given twice"},
+        Fault{"inertia_factor.solve:x", "functions of an inertia factor take an object"},
         Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
 
 TEST(Derivatives, ByWhichContactsHold) {
@@ -191,9 +191,8 @@ TEST(Derivatives, ByWhichContactsHold) {
       "");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(
-      run.errors.find(
-          "--derivatives constrained_forward_dynamics:q,active: the elements of 'active' are 0 or 1, with nothing "
-          "between; constrained_forward_dynamics also takes parameters, q, qd, tau"),
+      run.errors.find("--derivatives constrained_forward_dynamics:q,active: the elements of 'active' are switches, 0 "
+                      "or 1; constrained_forward_dynamics also takes parameters, q, qd, tau"),
       std::string::npos)
       << run.errors;
 }

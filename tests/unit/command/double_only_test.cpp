@@ -70,7 +70,8 @@ TEST(DoubleOnly, ModulesOfPythonTakeBothPrecisions) {
   const Outcome run = run_tool(
       "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --language cpp python --double-only");
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.errors, "robcogen: error: --double-only excludes --language python: modules take both precisions\n");
+  EXPECT_EQ(
+      run.errors, "robcogen: error: --double-only excludes --language python: Python modules take both precisions\n");
 }
 
 }  // namespace

@@ -258,9 +258,8 @@ TEST(EvalOfFloatingBase, GravityIsRequired) {
   const Outcome missing = run_tool(arguments, zeros.dump());
   EXPECT_EQ(missing.status, 1);
   EXPECT_NE(
-      missing.errors.find(
-          "argument 'gravity' of gravity_forces is missing: gravity (m/s^2) in base coordinates, required because it "
-          "says how the floating base is oriented [missing-argument]"),
+      missing.errors.find("argument 'gravity' of gravity_forces is missing: gravity (m/s^2) in base coordinates, "
+                          "required because it depends on the orientation of the floating base [missing-argument]"),
       std::string::npos)
       << missing.errors;
   json given = zeros;
@@ -363,7 +362,9 @@ TEST_F(Eval, QuaternionsOfSphericalJoints) {
 TEST_F(Eval, PrimitivesHaveNoRotationsByQuaternions) {
   write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
   const Outcome refused = run_tool(
-      "generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") + " --name p --language matlab --primitives left", "");
+      "generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") +
+          " --name p --language matlab --primitives left",
+      "");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.errors.find("[spherical-joint]"), std::string::npos) << refused.errors;
   EXPECT_FALSE(std::filesystem::exists(scratch_.path / "out"));

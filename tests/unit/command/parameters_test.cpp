@@ -25,7 +25,7 @@ TEST(Parameters, AreListedWithTheirPlaces) {
   write_text(model, kArm);
   const std::string expected = model.string() +
                                ":4:35: note: 4 parameters: name[default] line:column [parameters]\n"
-                               "    mass properties: density 4:35\n"
+                               "    mass and drive properties: density 4:35\n"
                                "    lengths, in mass properties too: len[0.4] 4:43\n"
                                "    angles: tilt[-0.1] 7:67\n"
                                "    lengths: height 8:47\n";

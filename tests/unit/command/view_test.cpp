@@ -69,7 +69,7 @@ TEST(Draw, SaysWhatIsWrongWithNumbers) {
       errors("--q KFF=0.1"), "robcogen: error: --q: 'KFF' is not one of SLIDE, HFE, KFE\nhint: did you mean 'KFE'?\n");
   EXPECT_EQ(errors("--q KFE=1.0x"), "robcogen: error: --q: '1.0x' is not a finite decimal number\n");
   EXPECT_EQ(errors("--q KFE=nan"), "robcogen: error: --q: 'nan' is not a finite decimal number\n");
-  EXPECT_EQ(errors("--q KFE=1,2"), "robcogen: error: --q: '2' has no name, but others have\n");
+  EXPECT_EQ(errors("--q KFE=1,2"), "robcogen: error: --q: '2' has no name, but other values have one\n");
   EXPECT_EQ(run_tool("draw " + quoted(robot("hyl"))).errors, "robcogen: error: draw needs an output file: -o FILE\n");
   const fs::path euler = fs::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl";
   EXPECT_EQ(

@@ -25,7 +25,7 @@ std::vector<std::string> messages(const Description& d) {
 }
 
 const Codes kNone;
-const std::string kBase = "floating base 'base' meets no inertia in some direction while the joints are free";
+const std::string kBase = "floating base 'base' has no effective inertia in some direction while the joints are free";
 
 TEST(InertiaMatrix, NamesTheJointOfAMasslessLeaf) {
   Description d = test::two_links();
@@ -57,7 +57,7 @@ TEST(InertiaMatrix, RefusesAMasslessLinkBetweenTwoJointsOfOneAxis) {
   Description d = test::two_links();
   d.links[0] = test::massless("one", {{"two", "b", {}, {}}});
   d.joints[1].placement.translation[2] = number(0.7);  // along the axis
-  EXPECT_EQ(messages(d), Codes{"joint 'a' meets no inertia while the joints beyond it are free"});
+  EXPECT_EQ(messages(d), Codes{"joint 'a' has no effective inertia while the joints beyond it are free"});
 }
 
 TEST(InertiaMatrix, AcceptsASingularityOfOnePositionOnly) {

@@ -83,7 +83,7 @@ TEST_F(Files, AreAllUntouchedWhenOneCannotBeWritten) {
   fs::create_directory(folder_ / "folder");
   const std::size_t before = entries();
   EXPECT_FALSE(write({{"a", "new"}, {"plain/b", "text"}}));
-  EXPECT_NE(error_.find("cannot make the folder '" + (folder_ / "plain").string()), std::string::npos) << error_;
+  EXPECT_NE(error_.find("cannot create the folder '" + (folder_ / "plain").string()), std::string::npos) << error_;
   EXPECT_FALSE(write({{"a", "new"}, {"folder", "text"}}));
   EXPECT_EQ(error_, "cannot replace the folder '" + (folder_ / "folder").string() + "': Is a directory");
   EXPECT_EQ(get("a"), "old");

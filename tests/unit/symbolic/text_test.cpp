@@ -108,9 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
     ,
     RefusedText,
     testing::Values(
-        Refused{"", "the program has no proper name"},
+        Refused{"", "the program has no valid name"},
         Refused{"program\n", "line 1: a program needs a name"},
-        Refused{"program 1st\n", "the program has no proper name"},
+        Refused{"program 1st\n", "the program has no valid name"},
         Refused{"program p extra\n", "line 1: 'extra' is too much"},
         Refused{"program p\nprogramme q\n", "line 2: 'programme' is not a statement"},
         Refused{"program p\ninput q\n", "line 2: an input needs a name and a role"},
@@ -172,21 +172,21 @@ TEST_F(Verify, ASoundProgramIsSound) {
 
 TEST_F(Verify, StatementsThatReadWhatComesLater) {
   p.statements[0].a = {Operand::Kind::statement, 1, false};
-  EXPECT_EQ(verify(p), "statement 'x' reads what is not there");
+  EXPECT_EQ(verify(p), "statement 'x' reads an undefined value");
 }
 
 TEST_F(Verify, StatementsThatReadThemselves) {
   p.statements[1].b = {Operand::Kind::statement, 1, false};
-  EXPECT_EQ(verify(p), "statement 'y' reads what is not there");
+  EXPECT_EQ(verify(p), "statement 'y' reads an undefined value");
 }
 
 TEST_F(Verify, InputsAndConstantsThatAreNotThere) {
   p.statements[0].a = {Operand::Kind::input, 4, false};
-  EXPECT_EQ(verify(p), "statement 'x' reads what is not there");
+  EXPECT_EQ(verify(p), "statement 'x' reads an undefined value");
   p.statements[0].a = {Operand::Kind::input, -1, false};
-  EXPECT_EQ(verify(p), "statement 'x' reads what is not there");
+  EXPECT_EQ(verify(p), "statement 'x' reads an undefined value");
   p.statements[0].a = {Operand::Kind::constant, 1, false};
-  EXPECT_EQ(verify(p), "statement 'x' reads what is not there");
+  EXPECT_EQ(verify(p), "statement 'x' reads an undefined value");
 }
 
 TEST_F(Verify, TheSecondOperandOfAUnaryOperationIsNotLookedAt) {
@@ -197,7 +197,7 @@ TEST_F(Verify, TheSecondOperandOfAUnaryOperationIsNotLookedAt) {
 
 TEST_F(Verify, OutputsThatReadWhatIsNotThere) {
   p.outputs[0].values[0] = {Operand::Kind::statement, 2, false};
-  EXPECT_EQ(verify(p), "output 'out' reads what is not there");
+  EXPECT_EQ(verify(p), "output 'out' reads an undefined value");
 }
 
 TEST_F(Verify, OutputsOfNegativeSize) {
@@ -227,7 +227,7 @@ TEST_F(Verify, ArraysWithoutAProperName) {
 TEST_F(Verify, ConstantsThatAreNegativeOrNotFinite) {
   for (double value : {-0.5, std::nan(""), HUGE_VAL}) {
     p.constants[0] = Number(value);
-    EXPECT_EQ(verify(p), "a constant is negative or no number") << value;
+    EXPECT_EQ(verify(p), "a constant is negative or not a number") << value;
   }
 }
 

@@ -106,8 +106,8 @@ class Describer {
         fmt::format(
             "body '{}' moves, but is not part of the robot whose base is '{}'", identifiers_.bodies[body],
             identifiers_.bodies[base]));
-    error.notes.push_back({document_.bodies[base].free_joint, "that one floats by this free joint"});
-    error.hint = "give each robot a file of its own";
+    error.notes.push_back({document_.bodies[base].free_joint, "this free joint makes the base of the robot floating"});
+    error.hint = "write each robot to a separate file";
   }
 
   void add_body(std::size_t b, std::size_t base) {

@@ -24,8 +24,8 @@ class JointReader {
       diagnostics_
           .error(
               "free-joint-inside", find(element_, "type")->place,
-              "a free joint belongs to a body of the world, as its only joint")
-          .hint = "a body that flies on its own is a robot of its own: give it a file";
+              "a free joint must be the only joint of a body whose parent is the world")
+          .hint = "a free-floating body is a separate robot: write it to a separate file";
       return std::nullopt;
     }
     joint_.pos = values_.triple(element_, "pos", {});
@@ -92,7 +92,7 @@ class JointReader {
     diagnostics_
         .error(
             "unsupported-attribute", damper->place,
-            "'springdamper' is not supported: it stands for a stiffness and a damping that follow from masses")
+            "'springdamper' is not supported: it defines stiffness and damping through the masses")
         .hint = "write stiffness=\"...\" and damping=\"...\"";
   }
 

@@ -44,7 +44,7 @@ std::optional<Mjcf> mjcf(
   if (root->name != "mujoco") {
     diagnostics
         .error("not-mjcf", root->place, fmt::format("the root element of a model is 'mujoco', not '{}'", root->name))
-        .hint = "an included file is part of another one: read that";
+        .hint = "another file includes this one: read that file";
     return std::nullopt;
   }
   check_attributes(*root, diagnostics);

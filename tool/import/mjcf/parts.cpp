@@ -29,7 +29,7 @@ class PartReader {
       diagnostics_.error(
           "two-inertias", full->place,
           fmt::format(
-              "the inertial of body '{}' has 'fullinertia', and {} too", body_.text,
+              "the inertial of body '{}' has both 'fullinertia' and {}", body_.text,
               diagonal != nullptr ? "'diaginertia'" : "an orientation"));
     } else if (full != nullptr) {
       const std::vector<Number> n = values_.numbers(*full, 6, 6);

@@ -98,7 +98,7 @@ class BodyReader {
     if (const Attribute* compensation = find(e, "gravcomp");
         compensation != nullptr && !Values(diagnostics_).scalar(e, "gravcomp").is_zero()) {
       diagnostics_.warning(
-          "gravity-compensation", compensation->place, "the compensation of gravity of this body is left out");
+          "gravity-compensation", compensation->place, "the gravity compensation of this body is ignored");
     }
     read_content(e, body, {}, childclass);
     const Name name = document_.bodies[body.index].name;
@@ -135,8 +135,9 @@ class BodyReader {
     const bool is_free = is_freejoint || (type != nullptr && type->value == "free");
     if (own.floats || (is_free && (own.parent != 0 || !own.joints.empty()))) {
       diagnostics_
-          .error("free-joint-inside", e.place, "a free joint belongs to a body of the world, and is its only joint")
-          .hint = "a body that flies on its own is a robot of its own: give it a file";
+          .error(
+              "free-joint-inside", e.place, "a free joint must be the only joint of a body whose parent is the world")
+          .hint = "a free-floating body is a separate robot: write it to a separate file";
     } else if (is_free) {
       own.floats = true;
       own.free_joint = e.place;
@@ -152,8 +153,9 @@ class BodyReader {
     const auto is_ball = [](const Joint& joint) { return joint.type == model::JointType::spherical; };
     if (next.type == model::JointType::prismatic || std::none_of(body.joints.begin(), body.joints.end(), is_ball))
       return;
-    diagnostics_.error("turn-behind-ball", next.name.place, "a joint that turns follows a ball joint in the same body")
-        .hint = "put it in front of the ball joint, or into a body of its own";
+    diagnostics_
+        .error("turn-behind-ball", next.name.place, "a hinge or ball joint follows a ball joint in the same body")
+        .hint = "put it before the ball joint, or into a separate body";
   }
 
   void check_free_joint(const Element& joint) {
@@ -173,7 +175,8 @@ class BodyReader {
     static const std::vector<std::string> kUnsupported = {"composite", "flexcomp", "replicate", "attach"};
     if (std::find(kUnsupported.begin(), kUnsupported.end(), e.name) != kUnsupported.end()) {
       diagnostics_
-          .error("unsupported-element", e.place, fmt::format("element '{}' is not supported: it makes bodies", e.name))
+          .error(
+              "unsupported-element", e.place, fmt::format("element '{}' is not supported: it generates bodies", e.name))
           .hint = "write these bodies, or let mj_saveLastXML of MuJoCo write them";
     } else if (e.name == "camera" || e.name == "light" || e.name == "plugin") {
       ++document_.ignored[e.name];

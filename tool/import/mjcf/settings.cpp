@@ -43,7 +43,7 @@ class SettingsReader {
       diagnostics_.note(
           "other-gravity", gravity->place,
           fmt::format(
-              "the gravity of this file is ({}, {}, {}); functions use (0, 0, -9.81) where none is given to them",
+              "the gravity of this file is ({}, {}, {}); functions use (0, 0, -9.81) unless they are given another",
               print_double(g[0].value()), print_double(g[1].value()), print_double(g[2].value())));
     }
     for (const Element& flags : e.children)
@@ -51,7 +51,7 @@ class SettingsReader {
     const auto wind = values_.triple(e, "wind", {});
     const bool has_wind = std::any_of(wind.begin(), wind.end(), [](const Number& n) { return !n.is_zero(); });
     if (values_.scalar(e, "density").is_zero() && values_.scalar(e, "viscosity").is_zero() && !has_wind) return;
-    diagnostics_.warning("medium-ignored", e.place, "the forces of a medium (density, viscosity, wind) are left out");
+    diagnostics_.warning("medium-ignored", e.place, "the forces of a medium (density, viscosity, wind) are ignored");
   }
 
   Settings settings;

@@ -9,7 +9,8 @@ std::optional<Mjcf> mjcf(
     const MjcfOptions&,
     Diagnostics& diagnostics) {
   diagnostics
-      .error("mjcf-unavailable", {source, {}}, "this generator was built without urdfdom and TinyXML and reads no MJCF")
+      .error(
+          "mjcf-unavailable", {source, {}}, "this generator was built without urdfdom and TinyXML and cannot read MJCF")
       .hint = "install urdfdom and TinyXML (Debian: liburdfdom-dev, libtinyxml-dev), then configure and build it again";
   return std::nullopt;
 }

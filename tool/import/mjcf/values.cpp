@@ -92,7 +92,7 @@ std::size_t Values::word(
       .error(
           "unknown-word", found->place,
           fmt::format(
-              "'{}' of this '{}' is '{}'; it is one of {}", attribute, element.name, found->value,
+              "'{}' of this '{}' is '{}', not one of {}", attribute, element.name, found->value,
               fmt::join(words, ", ")))
       .hint = did_you_mean(found->value, words);
   return otherwise;

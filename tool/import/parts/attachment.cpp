@@ -85,9 +85,9 @@ class Attachment {
         .error(
             "rotation-with-parameter", {source_, at_.span},
             fmt::format(
-                "the rotations of '{}' and of {} depend on parameters: they cannot be written as one",
+                "the rotations of '{}' and of {} depend on parameters: they cannot be combined into one",
                 instance_.name.text, what))
-        .hint = "give one of the two no rotation, or constants";
+        .hint = "give one of them a constant rotation, or none";
   }
 
   // Makes the base part of the link. Its frames, including the frame of the base itself, become frames of the link.

@@ -67,12 +67,12 @@ class CouplingUnroller {
           .error(
               "loop-variable", {source_, loop.variable.span},
               fmt::format(
-                  "there is {} '{}' already",
+                  "there is already {} '{}'",
                   links_.contains(variable)    ? "a link"
                   : joints_.contains(variable) ? "a joint"
                                                : "an instance",
                   variable))
-          .hint = "choose another name for the variable of the loop";
+          .hint = "choose another name for the loop variable";
     std::map<std::string, Span> listed;
     for (const Name& instance : loop.instances) {
       const auto [earlier, is_new] = listed.insert({instance.text, instance.span});
@@ -104,7 +104,7 @@ class CouplingUnroller {
           .error(
               "unknown-instance", {source_, instance.span},
               fmt::format(
-                  "there is no instance '{0}' of a part, nor joints whose names begin with '{0}_'", instance.text))
+                  "'{0}' is not an instance of a part, and no name of a joint begins with '{0}_'", instance.text))
           .hint = did_you_mean(instance.text, instances_);
     return false;
   }

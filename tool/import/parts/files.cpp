@@ -53,8 +53,8 @@ class Files {
         return candidate.lexically_normal();
     Diagnostic& error = diagnostics_.error("unknown-file", place, fmt::format("cannot find file '{}'", file));
     error.hint = options_.folders.empty()
-                     ? "it is searched beside this document; '-I FOLDER' names a folder to search after that"
-                     : "it is searched beside this document and in the folders of '-I'";
+                     ? "it is looked for in the folder of this document; '-I FOLDER' adds a folder to search"
+                     : "it is looked for in the folder of this document and in the folders of '-I'";
     return std::nullopt;
   }
 

@@ -233,7 +233,7 @@ void reflect(
     } else if (slides(joint->second->type)) {
       diagnostics.warning(
           "sense-of-slide", {source, name.span},
-          fmt::format("joint '{}' slides: it follows the reflected axis in any case", name.text));
+          fmt::format("joint '{}' is prismatic: it follows the reflected axis in any case", name.text));
     }
   }
   reflection.run();

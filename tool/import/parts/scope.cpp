@@ -44,8 +44,11 @@ void Scopes::import(const DocumentPtr& document, const kinematics::Import& impor
   const DocumentPtr imported = resolve_(*document, import);
   if (!imported) return;
   if (std::find(open_.begin(), open_.end(), imported) != open_.end()) {
-    diagnostics_.error("import-circle", place, fmt::format("'{}' imports itself, in the end", import.file)).hint =
-        "move the parts that both documents need to a third one";
+    diagnostics_
+        .error(
+            "import-circle", place,
+            fmt::format("'{}' imports itself, directly or through other documents", import.file))
+        .hint = "move the parts that both documents need to another document";
     return;
   }
   read(imported);
@@ -54,7 +57,7 @@ void Scopes::import(const DocumentPtr& document, const kinematics::Import& impor
     if (import.name)
       diagnostics_.error(
           "no-robot", {document->source, import.name->span},
-          fmt::format("'{}' has no robot that could be called '{}'", import.file, import.name->text));
+          fmt::format("'{}' has no robot to name '{}'", import.file, import.name->text));
     return;
   }
   const Name& name = import.name ? *import.name : imported->robot;
@@ -66,7 +69,7 @@ void Scopes::declare(Scope& scope, const std::string& name, const Entry& entry, 
   if (is_new || known->second.is(entry)) return;
   Diagnostic& error = diagnostics_.error("duplicate-part", place, fmt::format("part '{}' is declared twice", name));
   error.notes.push_back({{known->second.document->source, known->second.name.span}, "first declared here"});
-  if (entry.part == nullptr) error.hint = fmt::format("call the robot otherwise: 'import \"…\" as other_{}'", name);
+  if (entry.part == nullptr) error.hint = fmt::format("give the robot another name: 'import \"…\" as other_{}'", name);
 }
 
 void Scopes::check(const DocumentPtr& document, const kinematics::Part& part) {
@@ -78,7 +81,7 @@ void Scopes::check(const DocumentPtr& document, const kinematics::Part& part) {
     diagnostics_
         .error(
             "duplicate-parameter", place(parameter.name.span),
-            fmt::format("part '{}' has parameter '{}' twice", part.name.text, parameter.name.text))
+            fmt::format("part '{}' declares parameter '{}' twice", part.name.text, parameter.name.text))
         .notes.push_back({place(earlier->second), "first declared here"});
   }
   std::vector<std::string> links;

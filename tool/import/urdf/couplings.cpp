@@ -43,7 +43,7 @@ void report(const SolvedRelations::Unsolved& unsolved, const Name& coupling, Dia
   if (unsolved.is_redundant) {
     diagnostics.error(
         "coupling-redundant", coupling.place,
-        fmt::format("coupling '{}' says nothing that other couplings do not say, or has no joint", coupling.text));
+        fmt::format("coupling '{}' is redundant with other couplings, or has no joint", coupling.text));
     return;
   }
   diagnostics

@@ -33,7 +33,7 @@ void add_independents(
     if (joint.is_independent == false && !is_of_loop)
       diagnostics.error(
           "independent-without-loop", joint.independent_place,
-          fmt::format("joint '{}' is not independent, but it follows by no loop or coupling", joint.name.text));
+          fmt::format("joint '{}' is not independent, but no loop or coupling determines it", joint.name.text));
     if (is_of_loop && !may_follow[j] && is_movable(joint))
       description.independents.push_back({name, joint.is_independent ? joint.independent_place : joint.name.place});
   }

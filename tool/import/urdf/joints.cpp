@@ -29,7 +29,7 @@ void check_floating(const Document& document, const Topology& topology, std::siz
           fmt::format(
               "floating joint '{}' is not supported: its parent must be a root without mass and without other children",
               joint.name.text))
-      .hint = fmt::format("give link '{}' and those beyond it a URDF of their own", joint.child.text);
+      .hint = fmt::format("write link '{}' and the links beyond it to a separate URDF", joint.child.text);
 }
 
 constexpr const char* kMimic = "mimic-joint";
@@ -52,7 +52,7 @@ void check_mimic(const Document& document, const Joint& joint, Diagnostics& diag
   } else if (mimic.multiplier.is_zero()) {
     diagnostics.warning(
         "mimic-stands-still", mimic.joint.place,
-        fmt::format("{} with multiplier 0: it stands still at {}", follows, print_double(mimic.offset.value())));
+        fmt::format("{} with multiplier 0: it stays at {}", follows, print_double(mimic.offset.value())));
   }
 }
 

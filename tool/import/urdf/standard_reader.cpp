@@ -131,7 +131,7 @@ std::vector<model::JointLimits> read_limits(const Document& document, Diagnostic
   }
   if (!read && errors.empty()) errors.emplace_back("no reason given");
   for (const std::string& error : errors) {
-    diagnostics.error("urdfdom", place_of(error, document), fmt::format("urdfdom refuses this robot: {}", error));
+    diagnostics.error("urdfdom", place_of(error, document), fmt::format("urdfdom rejects this robot: {}", error));
   }
   if (!errors.empty()) return {};
 

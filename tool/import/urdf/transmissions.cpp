@@ -44,8 +44,8 @@ class TransmissionReader {
     diagnostics_.note(
         "rotor-as-armature", first_,
         fmt::format(
-            "rotor inertia times the square of the gear ratio is armature of these joints, and part of the dynamics: "
-            "{}",
+            "the rotor inertia times the square of the gear ratio becomes armature, which is part of the dynamics, of "
+            "these joints: {}",
             joints_));
   }
 

@@ -10,7 +10,8 @@ std::optional<model::KinematicTree> urdf(
     const UrdfOptions&,
     Diagnostics& diagnostics) {
   diagnostics
-      .error("urdf-unavailable", {std::move(source), {}}, "this generator was built without urdfdom and reads no URDF")
+      .error(
+          "urdf-unavailable", {std::move(source), {}}, "this generator was built without urdfdom and cannot read URDF")
       .hint = "install urdfdom and TinyXML (Debian: liburdfdom-dev, libtinyxml-dev), then configure and build it again";
   return std::nullopt;
 }

@@ -21,7 +21,7 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
   diagnostics.note(
       "ignored-elements", document.name.place,
-      fmt::format("elements without influence on kinematics and dynamics are ignored: {}", list));
+      fmt::format("elements without effect on kinematics and dynamics are ignored: {}", list));
 }
 
 // Other dynamics programs omit damping and friction from inverse dynamics, and many files contain values that were

@@ -63,7 +63,8 @@ bool check_expanded(const Element& root, const std::shared_ptr<const Source>& so
     diagnostics
         .error(
             "unexpanded-xacro", {source, first.span},
-            fmt::format("{} is for xacro, which has not expanded this file{}", first.text, others(found.read)))
+            fmt::format(
+                "{} must be expanded by xacro, which has not processed this file{}", first.text, others(found.read)))
         .hint =
         "expand it first: `xacro robot.urdf.xacro > robot.urdf`; robcogen_add_robot does so when MODEL is a .xacro";
     return false;
@@ -73,7 +74,8 @@ bool check_expanded(const Element& root, const std::shared_ptr<const Source>& so
     diagnostics.warning(
         "unexpanded-xacro", {source, first.span},
         fmt::format(
-            "{} is for xacro, which has not expanded this file{}; the elements that are read are not affected",
+            "{} must be expanded by xacro, which has not processed this file{}; the elements that are read are not "
+            "affected",
             first.text, others(found.ignored)));
   }
   return true;

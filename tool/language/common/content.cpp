@@ -103,10 +103,11 @@ void refuse(const std::shared_ptr<const Source>& source, Content content, Diagno
   diagnostics
       .error(
           "other-format", {source, span},
-          fmt::format("this is {}, not a document in a language of robcogen", description(content, text)))
-      .hint = content == Content::urdf || content == Content::mjcf
-                  ? "'robcogen convert' makes a robot document of it"
-                  : "robots are read from URDF (.urdf), MJCF (.xml) and robot documents (.kindsl); convert it";
+          fmt::format("this is {}, not a robcogen document", description(content, text)))
+      .hint =
+      content == Content::urdf || content == Content::mjcf
+          ? "'robcogen convert' turns it into a robot document"
+          : "robots are read from URDF (.urdf), MJCF (.xml) and robot documents (.kindsl); convert it to one of these";
 }
 
 }  // namespace

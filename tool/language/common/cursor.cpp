@@ -186,7 +186,7 @@ bool Cursor::at_decimal_comma() const {
 }
 
 void Cursor::decimal_comma(Span span) {
-  error_at(span, "decimal-comma", "a number is written with a point: '1.5', not '1,5'");
+  error_at(span, "decimal-comma", "write numbers with a decimal point: '1.5', not '1,5'");
   throw SyntaxError{};
 }
 

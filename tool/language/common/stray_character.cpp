@@ -27,9 +27,9 @@ StrayCharacter stray_character(std::string_view text, Span run) {
     found.begins_comment = true;
   } else if (byte == ';') {
     found.hint =
-        "items need no separator, components and names of a list are separated by ',', a comment begins with '//'";
+        "items need no separator; ',' separates components and the names in a list; a comment begins with '//'";
   } else if (byte == '^' && run.end < text.size() && is_word(text[run.end])) {
-    found.hint = "write a power as a product; '^' stands only before a name that is a keyword";
+    found.hint = "write a power as a product; '^' is allowed only before a name that is a keyword";
   }
   return found;
 }

@@ -24,8 +24,8 @@ bool at_loop(const Cursor& cursor) {
 LoopHead read_loop_head(Cursor& cursor, int outer, std::string_view element) {
   const Token word = cursor.take();
   if (outer != Name::kNoLoop) {
-    cursor.error_at(word.span, "nested-loop", "a loop cannot stand in another one").hint =
-        "write a loop for each instance of the outer one";
+    cursor.error_at(word.span, "nested-loop", "loops cannot be nested").hint =
+        "write one loop for each instance of the outer loop";
     throw SyntaxError{};
   }
   LoopHead head;

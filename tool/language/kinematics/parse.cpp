@@ -160,7 +160,7 @@ class Parser : private BlockParser {
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
       words.insert(words.end(), {std::string(kCouplings), "loops", "independent", "actuators"});
       if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
-      if (at_instance(cursor_)) d.hint = "a part stands in 'children' of the link that carries it";
+      if (at_instance(cursor_)) d.hint = "list a part under 'children' of the link that carries it";
     }
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });
     if (!cursor_.accept("{")) return;
@@ -187,9 +187,9 @@ class Parser : private BlockParser {
 
   void report_text_after(const Token& brace, bool is_part) {
     Diagnostic& d =
-        cursor_.error("text-after-end", fmt::format("{} stands after the end of the robot", describe(cursor_.peek())));
+        cursor_.error("text-after-end", fmt::format("{} follows the end of the robot", describe(cursor_.peek())));
     d.notes.push_back({cursor_.place(brace.span), "the robot ends here"});
-    if (is_part) d.hint = "imports and parts stand before the robot";
+    if (is_part) d.hint = "write imports and parts before the robot";
   }
 
   void check_bases() {

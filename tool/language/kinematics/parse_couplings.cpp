@@ -67,8 +67,8 @@ class CouplingParser {
   }
 
   [[noreturn]] void nested() {
-    cursor_.error_at(cursor_.take().span, "nested-loop", "a loop cannot stand in another one").hint =
-        "write a loop for each instance of the outer one";
+    cursor_.error_at(cursor_.take().span, "nested-loop", "loops cannot be nested").hint =
+        "write one loop for each instance of the outer loop";
     throw SyntaxError{};
   }
 };

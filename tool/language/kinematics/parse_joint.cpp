@@ -118,7 +118,7 @@ class JointParser {
 
   [[noreturn]] void attached_to_joint(const std::string& owner) {
     cursor_.error("attached-to-joint", fmt::format("part '{}' cannot be attached to {}", cursor_.peek().text, owner))
-        .hint = "a part stands in 'children' of a link";
+        .hint = "list a part under 'children' of a link";
     throw SyntaxError{};
   }
 };

@@ -22,8 +22,8 @@ void type(BlockParser& parser, LoopJoint& loop) {
     cursor
         .error_at(
             found.span, "unknown-loop-type",
-            fmt::format("expected {} as type of a loop, found {}", quoted(kLoopTypes), describe(found)))
-        .hint = found.text == "distance" ? "write 'distance = …' in place of the type"
+            fmt::format("expected {} as the type of a loop, found {}", quoted(kLoopTypes), describe(found)))
+        .hint = found.text == "distance" ? "write 'distance = …' instead of the type"
                                          : suggest_keyword(found.text, {kLoopTypes.begin(), kLoopTypes.end()});
     throw SyntaxError{};
   }
@@ -38,8 +38,10 @@ void branch(BlockParser& parser, LoopJoint& loop) {
     cursor
         .error_at(
             found.span, "unknown-branch",
-            fmt::format("expected {} as branch of a loop, found {}", quoted(kLoopBranches), describe(found)))
-        .hint = "'drawn' is the assembly next to where the joints are drawn, 'other' the second one that formulas find";
+            fmt::format("expected {} as the branch of a loop, found {}", quoted(kLoopBranches), describe(found)))
+        .hint =
+        "'drawn' is the assembly closest to the drawn position of the joints, 'other' the second solution of the "
+        "formulas";
     throw SyntaxError{};
   }
   const Token word = cursor.take();
@@ -72,7 +74,7 @@ void loop(BlockParser& parser, Body& body) {
   const bool has_type = !loop.type.text.empty();
   if (has_type == (loop.distance != nullptr)) {
     cursor.error_at(loop.name.span, "loop-type", owner + (has_type ? " has a type and a distance" : " has no type"))
-        .hint = has_type ? "a loop that keeps a distance has no other type"
+        .hint = has_type ? "a loop has a type or keeps a distance: remove one of them"
                          : fmt::format("write 'type = …' with one of {}, or 'distance = …'", quoted(kLoopTypes));
     return;
   }

@@ -114,7 +114,7 @@ Instance instance(BlockParser& parser) {
     const Mirror read = mirror(parser);
     if (instance.mirror) {
       cursor.error_at(read.span, "mirrored-twice", fmt::format("{} is mirrored twice", owner)).hint =
-          "two mirror images are a rotation: write it in 'at { … }'";
+          "two reflections make a rotation: write it in 'at { … }'";
     } else {
       instance.mirror = read;
     }

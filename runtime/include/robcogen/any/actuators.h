@@ -32,8 +32,8 @@ inline void AnyRobot::actuator_jacobian(In q, OutMatrix J) const {
   expect_kernel(kFunction, kernel);
   const int actuators = tables_->actuators.size;
   expect(kFunction, "q", q.size(), position_count());
-  expect(kFunction, "J, in rows,", J.rows(), actuators);
-  expect(kFunction, "J, in columns,", J.cols(), dof());
+  expect(kFunction, "a column of J", J.rows(), actuators);
+  expect(kFunction, "a row of J", J.cols(), dof());
   if (J.outerStride() != actuators)
     throw std::invalid_argument("actuator_jacobian: the columns of J must be contiguous");
   kernel(functions_->cache(), q.data(), J.data());

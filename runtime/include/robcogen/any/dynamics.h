@@ -93,8 +93,8 @@ inline void AnyRobot::coriolis_forces(In q, In v, Out f) const {
 inline void AnyRobot::joint_space_inertia(In q, OutMatrix H) const {
   constexpr const char* kFunction = "joint_space_inertia";
   expect(kFunction, "q", q.size(), position_count());
-  expect(kFunction, "H, in rows,", H.rows(), size());
-  expect(kFunction, "H, in columns,", H.cols(), size());
+  expect(kFunction, "a column of H", H.rows(), size());
+  expect(kFunction, "a row of H", H.cols(), size());
   functions_->joint_space_inertia(q.data(), H);
 }
 

@@ -24,8 +24,8 @@ inline void AnyRobot::jacobian(int jacobian, In q, OutMatrix J) const {
   expect_index(kFunction, jacobian, tables_->jacobians.size);
   const reflection::Jacobian& table = tables_->jacobians[jacobian];
   expect(kFunction, "q", q.size(), position_count());
-  expect(kFunction, "J, in rows,", J.rows(), 6);
-  expect(kFunction, "J, in columns,", J.cols(), table.column_count);
+  expect(kFunction, "a column of J", J.rows(), 6);
+  expect(kFunction, "a row of J", J.cols(), table.column_count);
   if (J.outerStride() != 6) throw std::invalid_argument("jacobian: the columns of J must be contiguous");
   table.kernel(functions_->cache(), q.data(), J.data());
 }

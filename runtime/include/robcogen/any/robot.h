@@ -134,8 +134,7 @@ class AnyRobot {
     if (!floating_base()) return kStandardGravity;
     char message[200];
     std::snprintf(
-        message, sizeof message, "%s of %s: the base floats, so gravity must be given, in base coordinates", function,
-        name());
+        message, sizeof message, "%s of %s: the base floats: give gravity in base coordinates", function, name());
     throw std::invalid_argument(message);
   }
   any::Functions::Loads loads(const char* function, const Gravity& gravity, External external) const {

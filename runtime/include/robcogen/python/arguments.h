@@ -39,8 +39,7 @@ inline bool place(const Entry& entry, PyObject* const* args, Py_ssize_t count, P
   const std::size_t most = entry.function->arguments.size();
   if (count > static_cast<Py_ssize_t>(most))
     return refuse(
-        entry, "takes " + std::to_string(most) + " arguments, " + std::to_string(count) + " are given",
-        PyExc_TypeError);
+        entry, "takes at most " + std::to_string(most) + " arguments, got " + std::to_string(count), PyExc_TypeError);
   std::copy(args, args + count, given);
   const Py_ssize_t named = names ? PyTuple_Size(names) : 0;
   for (Py_ssize_t i = 0; i < named; ++i) {

@@ -205,14 +205,14 @@ inline bool flatten(
       PyErr_Clear();
       return refuse(kNotNumbers + 1);
     }
-    if (level < lengths.size()) return refuse("has numbers beside sequences");
+    if (level < lengths.size()) return refuse("mixes numbers and sequences");
     numbers.push_back(value);
     return true;
   }
   const Py_ssize_t length = PySequence_Size(object);
   if (level == 3) return refuse("has too many dimensions");
   if (lengths.size() == level) {
-    if (!numbers.empty()) return refuse("has numbers beside sequences");
+    if (!numbers.empty()) return refuse("mixes numbers and sequences");
     lengths.push_back(length);
   } else if (lengths[level] != length) {
     return refuse(

@@ -37,7 +37,7 @@ inline void delete_parameters(PyObject* self) {
 inline PyObject* new_parameters(PyTypeObject* type, PyObject* args, PyObject* keywords) {
   const ParameterTable& table = module_of_parameters->parameters;
   if (PyTuple_Size(args) > 0) {
-    PyErr_SetString(PyExc_TypeError, "Parameters takes its values by name");
+    PyErr_SetString(PyExc_TypeError, "Parameters takes keyword arguments only");
     return nullptr;
   }
   std::vector<double> values = table.defaults;
@@ -54,7 +54,7 @@ inline PyObject* new_parameters(PyTypeObject* type, PyObject* args, PyObject* ke
     }
   }
   if (keywords && taken < PyDict_Size(keywords)) {
-    PyErr_SetString(PyExc_TypeError, "Parameters: a name that is not one of parameter_names");
+    PyErr_SetString(PyExc_TypeError, "Parameters: unknown name; parameter_names lists the names");
     return nullptr;
   }
   const auto allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(type, Py_tp_alloc));
@@ -84,7 +84,7 @@ inline bool add_parameters(PyObject* module, const Module& m) {
       {Py_tp_dealloc, reinterpret_cast<void*>(&delete_parameters)},
       {Py_tp_getattro, reinterpret_cast<void*>(&parameter)},
       {Py_tp_doc,
-       const_cast<char*>("Values of the parameters, by name: those that are not given have their defaults.")},
+       const_cast<char*>("Values of the parameters, by name. A parameter that is not given has its default.")},
       {0, nullptr}};
   static PyType_Spec spec = {
       name.c_str(), sizeof(ParametersObject), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_IMMUTABLETYPE, slots};

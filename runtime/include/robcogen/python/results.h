@@ -68,7 +68,7 @@ inline bool check_out(const Entry& entry, const Inputs& inputs, const Results& r
         entry, name + " must have the shape " + shape(result, inputs.is_batch ? states : "") + ", has " +
                    shape(result, out.is_batch() ? std::to_string(out.states()) : ""));
   }
-  if (out.overlaps_itself()) return refuse(entry, name + " has elements that share their place");
+  if (out.overlaps_itself()) return refuse(entry, name + " has elements that share memory");
   for (std::size_t k = 0; k < inputs.count(); ++k)
     if (!function.arguments[k].is_parameters && out.overlaps(inputs.views[k]))
       return refuse(entry, name + " overlaps " + function.arguments[k].name);
