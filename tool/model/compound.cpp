@@ -164,8 +164,7 @@ void add_compound(const DescribedCompound& joint, Description& description, Diag
         .error(
             "rotation-with-parameter", joint.placement_place,
             fmt::format("the rotation of joint '{}' depends on a parameter", joint.name))
-        .hint = fmt::format(
-        "the first axis is x: angles may be parameters only if the third one is zero, (a, b, 0.0)", joint.name);
+        .hint = "the first axis is x: angles may be parameters only if the third one is zero, (a, b, 0.0)";
   if (!add_links(joint, description)) {
     // `build` reports the unused joint under its own name.
     DescribedJoint unused;

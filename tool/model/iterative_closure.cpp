@@ -61,9 +61,8 @@ class IterativeSearch {
     return text;
   }
   bool is_one() const { return loops_.size() == 1; }
-  std::string removes() const {
-    return (is_one() ? "loop " : "loops ") + names() + (is_one() ? " removes" : " remove");
-  }
+  std::string removes() const { return subject() + (is_one() ? " removes" : " remove"); }
+  std::string subject() const { return (is_one() ? "loop " : "loops ") + names(); }
   std::string their() const { return is_one() ? "its" : "their"; }
   std::string where() const { return context_.where(cluster_.joints()); }
   static std::string freedoms(int count) {
@@ -86,10 +85,7 @@ class IterativeSearch {
   std::nullopt_t report_open(double gap) {
     if (std::isinf(gap))
       return report(
-          "loop-cannot-close",
-          fmt::format(
-              "{} would close {} with frames half a turn apart", is_one() ? "loop " + names() : "loops " + names(),
-              where()),
+          "loop-cannot-close", fmt::format("{} would close {} with frames half a turn apart", subject(), where()),
           "turn one of the frames by PI");
     if (is_one()) {
       PlaneFault fault = open_loop(first(), gap, where());
