@@ -84,7 +84,7 @@ inline bool add_parameters(PyObject* module, const Module& m) {
       {Py_tp_dealloc, reinterpret_cast<void*>(&delete_parameters)},
       {Py_tp_getattro, reinterpret_cast<void*>(&parameter)},
       {Py_tp_doc,
-       const_cast<char*>("Values of the parameters, by name: those that are not given have their defaults.")},
+       const_cast<char*>("Values of the parameters, by name. Parameters that are not given have their defaults.")},
       {0, nullptr}};
   static PyType_Spec spec = {
       name.c_str(), sizeof(ParametersObject), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_IMMUTABLETYPE, slots};
@@ -167,7 +167,8 @@ inline PyObject* limbs(const Module& m) {
   static const std::string name = std::string(m.name) + ".Limb";
   static PyStructSequence_Desc description = {
       name.c_str(),
-      "An instance of a part: indices in the robot by names in the part; joints are those of joint_names.", fields, 6};
+      "An instance of a part: indices in the robot, by names in the part; indices of joints refer to joint_names.",
+      fields, 6};
   PyObject* const result = PyDict_New();
   PyTypeObject* const type = m.limbs.empty() || !result ? nullptr : PyStructSequence_NewType(&description);
   if (!type) return result;
