@@ -38,7 +38,7 @@ void add_operators(const std::string& line, Counts& counts) {
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`
 bool read_banner(const std::string& line, Counts& counts) {
   static const std::regex pattern(
-      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ to and from lanes)?[:.].*)");
+      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ lane moves)?[:.].*)");
   std::smatch match;
   if (!std::regex_match(line, match, pattern)) return false;
   for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = match[k + 1].matched ? std::stoi(match[k + 1]) : 0;

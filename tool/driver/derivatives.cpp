@@ -111,8 +111,8 @@ Program differentiated(
 
 std::string summary_of(const Derivative& derivative) {
   return fmt::format(
-      "With the partial derivatives by {}: a row for each element of the result, column by column, and a column for "
-      "each element of the argument.",
+      "With partial derivatives by {}: one row per element of the result, in the order of its columns, and one column "
+      "per element of the argument.",
       fmt::join(derivative.inputs, ", "));
 }
 
@@ -141,7 +141,7 @@ Function differentiated(
   function.summary.push_back(summary_of(derivative));
   if (is_by_turns)
     function.summary.emplace_back(
-        "In place of the four elements of a quaternion: turns (rad) about the three axes of the child.");
+        "A quaternion has three columns in place of four: rotations (rad) about the axes of the child.");
   if (has_followers)
     function.summary.emplace_back("The last elements of q have no columns: they follow the others through the loops.");
   return function;

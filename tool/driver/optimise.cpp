@@ -62,7 +62,7 @@ Functions separate_right_sides(Functions functions, const Passes& passes, const 
     stage.traced.group = outer.group;
     stage.traced.name = outer.solved->right_sides.name;
     stage.traced.summary = {
-        "Right-hand sides of " + outer.program.name + ", and the factor that they are solved with."};
+        "Right-hand sides of " + outer.program.name + ", and the factor with which they are solved."};
     stage.traced.program = pass::run(std::move(outer.solved->right_sides), passes);
     outer.solved->right_sides = {};
     outer.solved->right_sides.name = stage.traced.name;
@@ -148,7 +148,7 @@ Functions split_angles(const Robot& robot, Functions functions) {
       split.angle_count, std::move(split.angles),
       function_of(
           "trigonometry", std::move(split.addition),
-          {"Sines and cosines of all angles from those of the joints; those of sums by the addition theorems."})};
+          {"Sines and cosines of all angles from those of the joints; the addition theorems give those of sums."})};
   return functions;
 }
 

@@ -61,7 +61,7 @@ class Differentiated {
 
   // The matrix of FollowerRates, column by column.
   std::vector<Expression> rates_of_followers(const Program& rates) {
-    graph().begin_section("rates of positions that follow", "rates");
+    graph().begin_section("rates of joints that follow", "rates");
     std::vector<Expression> inputs;
     for (const InputArray& array : rates.inputs)
       for (const Expression& e : input(array.name)) inputs.push_back(e);

@@ -209,7 +209,7 @@ std::string pattern_elements(const Pattern& pattern, double x) {
   const bool is_named = n <= kMaxNamed;
   const double left = x + (is_named ? names : 20), top = kCaption + (is_named ? names : 20);
   std::string text = fmt::format(
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">Joint-space inertia matrix: structural zeros are empty</text>\n",
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">Joint-space inertia matrix: structural zeros are blank</text>\n",
       x + 20, kCaption - 12);
   int zeros = 0;
   for (std::size_t r = 0; r < pattern.rows.size(); ++r) {
@@ -283,9 +283,8 @@ std::string draw(const ViewedRobot& robot, const Posture& posture, const Drawing
   if (options.pattern) text += pattern_elements(*options.pattern, kPaper);
   return text + fmt::format(
                     "<text x=\"20\" y=\"{:.1f}\">blue: links; orange: axes of revolute joints{}; violet: prismatic "
-                    "joints; quartered: "
-                    "centres of mass</text>\n</svg>\n",
-                    height - 14, robot.library.has_spherical_joints() ? ", balls" : "");
+                    "joints; quartered discs: centres of mass</text>\n</svg>\n",
+                    height - 14, robot.library.has_spherical_joints() ? " and spherical joints" : "");
 }
 
 }  // namespace robcogen::view

@@ -137,7 +137,7 @@ Json data_of(
   const std::size_t count = library.joints.size() - 2 * library.quaternions().size();
   const std::string about = fmt::format(
       "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
-      robot.floats ? "floating base, held here" : "fixed base");
+      robot.floats ? "floating base, fixed in this view" : "fixed base");
   return {
       {"about", about},
       {"q", options.q},

@@ -36,7 +36,7 @@ class Error(Exception):
 
 
 def load(model, **options):
-    """The module of a robot: .kindsl, .urdf, or MJCF; or of motions or transforms, .motdsl or .ctdsl. The options are those of build()."""
+    """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl). The options are those of build()."""
     path = build(model, **options)
     name = path.name.split(".")[0]
     loader = importlib.machinery.ExtensionFileLoader(name, str(path))
@@ -47,11 +47,11 @@ def load(model, **options):
 
 
 def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), options=()):
-    """The path of the compiled module; its stub, <name>.pyi, is in the same folder.
+    """Builds a module and returns its path; its stub, <name>.pyi, is in the same folder.
 
     name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
-    model, or else all links. algorithms: groups of functions; default: the default ones. derivatives:
-    "inverse_dynamics:q". options: further ones of `robcogen generate`, such as "--floating-base".
+    model, or else all links. algorithms: groups of functions; default: the default groups. derivatives: such as
+    "inverse_dynamics:q". options: other options of `robcogen generate`, such as "--floating-base".
     """
     model = Path(model).absolute()
     if not model.is_file():

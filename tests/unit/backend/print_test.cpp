@@ -128,10 +128,10 @@ TEST(Print, Kernels) {
 // Robot Leg: kernels for any scalar type, without Eigen. Edit the model, not this file.
 // Outputs must not overlap inputs. Joints: 0:HFE, 1:KFE.
 //
-// Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a acceleration of the link's
-// origin minus gravity; f, n force and moment; h, S first and second moments of mass; A, B, M blocks of an articulated
-// inertia; U of [wd]x + [w]x [w]x. _P: in the parent's axes; _neg: minus that; _by_J: turned by joint J; s2_J, sc_J,
-// c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: the sum that makes x, up to its term in y.
+// Names consist of link, quantity and axis. w, wd: angular velocity and acceleration; v: velocity; a: acceleration of
+// the link's origin minus gravity; f, n: force and moment; h, S: first and second moments of mass; A, B, M: blocks of
+// an articulated inertia; U: elements of [wd]x + [w]x [w]x. _P: in the parent's axes; _neg: negated; _by_J: rotated by
+// joint J; s2_J, sc_J, c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: partial sum of x, up to its term in y.
 
 #pragma once
 
@@ -145,7 +145,7 @@ static_assert(robcogen::kAbi == 1, "leg was generated for another runtime of rob
 namespace leg::kernel {
 
 // Summary of inverse_dynamics.
-// 1 mul, 1 add, 1 div, 1 sqrt, 1 sincos: 1 instructions when products are fused into sums; critical path 32 cycles.
+// 1 mul, 1 add, 1 div, 1 sqrt, 1 sincos: 1 instructions with fused multiply-add; critical path 32 cycles.
 template <class Scalar>
 void inverse_dynamics(const Scalar* q, const Scalar* /*qd*/, Scalar* tau) noexcept {
   using std::sqrt;
@@ -207,7 +207,7 @@ JointState inverse_dynamics(const JointState& q, const JointState& qd, const Gra
 
 }  // namespace leg
 
-// The definitions, in each precision.
+// The definitions in each precision.
 #include "leg/detail/kernels.h"
 
 #define ROBCOGEN_DEFINITIONS

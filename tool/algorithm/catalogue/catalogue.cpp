@@ -147,7 +147,8 @@ void add_turns_remark(std::vector<RobotFunction>& list) {
   for (RobotFunction& f : list) {
     const auto& outputs = f.program.outputs;
     if (std::any_of(outputs.begin(), outputs.end(), [](const auto& of) { return of.name == "d_q"; }))
-      f.summary.emplace_back("By positions of a spherical joint: by a turn (rad) about each axis of its child.");
+      f.summary.emplace_back(
+          "The position of a spherical joint has one column for a rotation (rad) about each axis of its child.");
   }
 }
 

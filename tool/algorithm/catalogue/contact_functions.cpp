@@ -31,20 +31,18 @@ Formulation cheapest_for(
 }
 
 const char* const kSwitches =
-    "`active`: 1 where a contact holds, 0 where it is open. `compliance` (by row) is added to the diagonal of W: zero "
-    "for "
-    "rigid contacts, whose rows must be independent; a small number lets redundant ones share the load.";
+    "`active`: 1 for an active contact, 0 for an open one. `compliance` (per row) is added to the diagonal of W: zero "
+    "for rigid contacts, whose rows must be independent; a small number lets redundant contacts share the load.";
 
 // The common data of the functions of one list.
 struct Contacts {
   const KinematicTree& tree;
   const ContactFrames& contacts;
   FormulationChoices& choices;
-  std::string rows =
-      "Contacts: " + names_of(contacts) +
-      ". Rows have this order: velocities (m/s) or forces (N) of a point; of a surface angular velocities "
-      "or moments first. In base axes, about the origin of the contact frame.";
-  std::string base = "All that concerns the base is in base coordinates, angular first.";
+  std::string rows = "Contacts: " + names_of(contacts) +
+                     ". Rows are in this order: velocities (m/s) or forces (N) of a point; for a surface, angular "
+                     "velocities or moments first. They are in base axes, about the origin of the contact frame.";
+  std::string base = "All quantities of the base are in base coordinates, angular first.";
 
   std::vector<std::string> summary(std::vector<std::string> lines) const {
     lines.push_back(rows);
@@ -100,42 +98,38 @@ std::vector<RobotFunction> contacts_functions(
       contact_velocity(tree, frames, "contact_velocity"));
   contacts.add(
       list, "contact_bias",
-      {"What is added to J times " + accelerations +
-       " in the accelerations of the contact frames in an inertial frame."},
+      {"Accelerations of the contact frames in an inertial frame minus J times " + accelerations + "."},
       contact_bias(tree, frames, "contact_bias"));
   contacts.add(
       list, "inverse_contact_inertia",
-      {"W = J H^-1 J^T: accelerations of the contact frames by unit wrenches at them; structural zeros are literal "
+      {"W = J H^-1 J^T: accelerations of the contact frames due to unit wrenches on them; structural zeros are literal "
        "(Featherstone 2008, sec. 8.4)."},
       inverse_contact_inertia(tree, frames, "inverse_contact_inertia", inertia), inertia);
   contacts.add_with_loads(
       list, "constrained_forward_dynamics",
-      {"Accelerations from joint forces tau, and the wrenches of the contacts on the robot, where active contacts "
-       "accelerate by `contact_acceleration`: zero, or -2 a velocity - a^2 error to remove an error of position "
-       "(Baumgarte 1972).",
+      {"Accelerations from joint forces tau, and the wrenches of the contacts on the robot: active contacts have the "
+       "acceleration `contact_acceleration`, zero, or -2 a velocity - a^2 error to remove a position error (Baumgarte "
+       "1972).",
        kSwitches},
       constrained_forward_dynamics);
   contacts.add(
       list, "impact",
-      {"Velocities after an impact at active contacts, which leave with -restitution times their velocity, and "
-       "impulses "
-       "(N s) of the contacts on the robot; `restitution` by contact.",
+      {"Velocities after an impact at active contacts, and impulses (N s) of the contacts on the robot: a contact "
+       "leaves with -restitution times its velocity; `restitution` has one element per contact.",
        kSwitches},
       impact(tree, frames, "impact", inertia), inertia);
   contacts.add_with_loads(
       list, "inverse_dynamics_with_contacts",
-      {std::string("Joint forces tau") +
-       (tree.floating_base ? " and the wrench on the base that is still missing" : "") +
+      {std::string("Joint forces tau") + (tree.floating_base ? " and the wrench that the base still needs" : "") +
        " for accelerations and given wrenches of the contacts on the robot."},
       inverse_dynamics_with_contacts);
   if (!tree.floating_base) return list;
   contacts.add_with_loads(
       list, "constrained_inverse_dynamics",
       {"Joint forces tau and wrenches f of the contacts on the robot for joint and base accelerations, with the "
-       "smallest "
-       "sum of f^2 / weights; `weights` by row, not negative: zero where a contact is open.",
-       "`regularization` r: zero, where the contacts can hold the base in all directions; a positive r is added to the "
-       "diagonal of the 6 x 6 system, and `base_wrench` is what is then missing."},
+       "smallest sum of f^2 / weights; `weights`: one per row, not negative, zero for an open contact.",
+       "`regularization` r: zero, if the contacts can support the base in all directions; a positive r is added to the "
+       "diagonal of the 6 x 6 system, and `base_wrench` is the wrench that the base then still needs."},
       constrained_inverse_dynamics);
   return list;
 }
@@ -150,9 +144,9 @@ std::vector<RobotFunction> operational_space_functions(
        "",
        "operational_space",
        {"The contact frames as a task (Khatib 1987): `inertia` = (J H^-1 J^T)^-1; `inverse` = H^-1 J^T inertia, the "
-        "dynamically consistent inverse of J; `projector` = 1 - inverse J, whose transpose leaves of joint forces what "
-        "does not accelerate the task.",
-        kSwitches, "Rows: " + names_of(contacts) + "; as functions of contacts have them."},
+        "dynamically consistent inverse of J; `projector` = 1 - inverse J, whose transpose removes from joint forces "
+        "the part that accelerates the task.",
+        kSwitches, "Rows: " + names_of(contacts) + ", in the order of the contact functions."},
        {},
        {},
        operational_space(tree, contacts, "operational_space", formulation)}};

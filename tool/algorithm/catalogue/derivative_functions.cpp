@@ -14,11 +14,11 @@ namespace {
 // Adds the end of a summary: the meaning of the rows, and of the columns of the base.
 void add_base(std::vector<std::string>& summary, const std::string& rows, const std::string& columns) {
   summary.push_back(
-      "(6 + n) rows: those of " + rows + " first. All that concerns the base is in base coordinates, angular first.");
+      "(6 + n) rows: those of " + rows + " first. All quantities of the base are in base coordinates, angular first.");
   summary.push_back(
-      "Columns by " + columns +
-      "a turn of the base about its own axes (d_base_rotation), under which gravity stays and "
-      "changes in base coordinates.");
+      "Columns of the base: by " + columns +
+      "a rotation of the base about its own axes (d_base_rotation); gravity is fixed in the world and changes in base "
+      "coordinates.");
 }
 
 // The loads of a program, from its inputs.
@@ -84,7 +84,7 @@ std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
   } else {
     if (!tree.inertia_defects.locked_base) {
       std::vector<std::string> summary = {
-          forces + "the spatial acceleration of the base that nothing holds, and " + kColumns + ")."};
+          forces + "the spatial acceleration of the unactuated base, and " + kColumns + ")."};
       add_base(summary, "the base acceleration", "the base's velocity (d_base_velocity), and ");
       add("inverse_dynamics_derivatives", summary, unactuated_base_inverse_dynamics_derivatives);
       if (solves_for_base_in_columns(tree))
@@ -110,10 +110,10 @@ std::vector<RobotFunction> inverse_dynamics_gradient_functions(const KinematicTr
   std::vector<std::string> summary = {
       tree.floating_base
           ? "Joint forces tau (N m, N) and the wrench on the base for joint and base accelerations, and the gradient "
-            "of `weights` times them, those of the base wrench first."
+            "of `weights` times these forces, weights of the base wrench first."
           : "Joint forces tau (N m, N) for joint accelerations qdd, and the gradient of `weights` times tau.",
-      "It is the transpose of the derivatives times `weights`: by reverse mode, at a small multiple of the cost of "
-      "inverse dynamics."};
+      "The gradient is the transpose of the derivatives times `weights`, computed by reverse mode at a small multiple "
+      "of the cost of inverse dynamics."};
   std::vector<RobotFunction> list;
   add_overloads(list, tree, name, name, summary, [&](const std::string& kernel, Loads loads) {
     return inverse_dynamics_gradient(tree, kernel, loads, formulation);
@@ -145,15 +145,14 @@ std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
   const Formulation& formulation = choices.newton_euler();
   const std::string name = "inverse_dynamics_second_derivatives";
   std::vector<std::string> summary = {
-      "The gradient of `weights` times the joint forces tau (N m, N), and its derivatives: what second-order methods "
-      "of "
-      "optimal control take of inverse dynamics.",
-      "Rows by the first input of their names, columns by the second; " +
+      "The gradient of `weights` times the joint forces tau (N m, N), and its derivatives: the terms of inverse "
+      "dynamics in second-order methods of optimal control.",
+      "Rows belong to the first input in a name, columns to the second; " +
           std::string(tree.spherical_joints().empty() ? "d_q_q and d_qd_qd are" : "d_qd_qd is") +
           " symmetric. Accelerations enter linearly: all other blocks are zero."};
   if (tree.floating_base)
     summary.emplace_back(
-        "`weights` are those of the base wrench, then of the joints. All that concerns the base is in base "
+        "`weights` are in the order of the base wrench, then of the joints. All quantities of the base are in base "
         "coordinates, angular first.");
   std::vector<RobotFunction> list;
   add_overloads(list, tree, name, name, summary, [&](const std::string& kernel, Loads loads) {

@@ -35,8 +35,8 @@ std::vector<RobotFunction> inverse_dynamics_functions(const KinematicTree& tree,
   if (has_free_base)
     add_overloads(
         list, tree, group, "inverse_dynamics",
-        {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the base that nothing "
-         "holds (Featherstone 2008, sec. 9.4).",
+        {"Joint forces tau (N m, N) for joint accelerations qdd, and the spatial acceleration of the unactuated base "
+         "(Featherstone 2008, sec. 9.4).",
          "`base_velocity` and `base_acceleration` are in base coordinates, angular first."},
         [&](const std::string& kernel, Loads loads) {
           return unactuated_base_inverse_dynamics(tree, kernel, loads, choices.unactuated_base());
@@ -71,7 +71,7 @@ std::vector<RobotFunction> bias_forces_functions(const KinematicTree& tree, Form
       list, tree, group, "bias_forces",
       summary(
           "Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, " +
-          std::string(uses_passive_forces(tree) ? "passive forces of drives, " : "") + "minus external ones."),
+          std::string(uses_passive_forces(tree) ? "passive forces of drives, " : "") + "minus external forces."),
       [&](const std::string& kernel, Loads loads) { return bias_forces(tree, kernel, loads, formulation); });
   add_overloads(
       list, tree, group, "gravity_forces", summary("Generalised forces that hold the robot at rest against gravity."),
@@ -80,7 +80,7 @@ std::vector<RobotFunction> bias_forces_functions(const KinematicTree& tree, Form
       {group,
        "",
        "coriolis_forces",
-       summary("Generalised forces that velocities cause: bias forces without gravity."),
+       summary("Generalised forces due to velocities: bias forces without gravity."),
        {},
        {},
        coriolis_forces(tree, "coriolis_forces", formulation)});
@@ -97,8 +97,8 @@ std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, F
       {"passive_forces",
        "",
        "passive_forces",
-       {"Joint forces that damping, friction and springs of the drives take: tau = b qd + f s(qd) + k (q - q0), with "
-        "s(qd) = qd / sqrt(qd^2 + v^2), the sign of qd where v is zero. " +
+       {"Joint forces that overcome damping, friction and springs of the drives: tau = b qd + f s(qd) + k (q - q0), "
+        "with s(qd) = qd / sqrt(qd^2 + v^2), which is the sign of qd if v is zero. " +
         use},
        {},
        {},
@@ -108,9 +108,9 @@ std::vector<RobotFunction> passive_forces_functions(const KinematicTree& tree, F
         {"passive_forces",
          "",
          "motor_torques",
-         {"Torques (N m) at the shafts of the motors for joint forces tau: tau by the ratio of the rotor, without loss "
-          "in the gear; tau itself where a joint has no rotor. With tau of inverse dynamics they contain all that a "
-          "motor has to give: for its rotor, for passive forces, and for the robot."},
+         {"Torques (N m) at the motor shafts for joint forces tau: tau divided by the ratio of the rotor, without gear "
+          "losses; tau itself for a joint without rotor. With tau of inverse dynamics, they are the total torques of "
+          "the motors: for their rotors, for passive forces, and for the robot."},
          {},
          {},
          motor_torques(tree, "motor_torques")});
@@ -121,8 +121,8 @@ std::vector<RobotFunction> forward_dynamics_functions(const KinematicTree& tree,
   std::vector<RobotFunction> list;
   const ForwardDynamicsChoice& choice = choices.forward_dynamics();
   const bool by_matrix = choice.method == ForwardDynamicsMethod::inertia_matrix;
-  const std::string method = by_matrix ? "By bias forces and elimination in the joint-space inertia matrix."
-                                       : "By the articulated-body algorithm.";
+  const std::string method = by_matrix ? "Method: bias forces, and elimination in the joint-space inertia matrix."
+                                       : "Method: articulated-body algorithm.";
   const std::string source = by_matrix ? "(Featherstone 2008, ch. 6)" : "(Featherstone 2008, ch. 7)";
   std::vector<std::string> summary{"Joint accelerations qdd (rad/s^2, m/s^2) from joint forces tau " + source + "."};
   if (tree.floating_base)
@@ -169,8 +169,8 @@ std::vector<RobotFunction> joint_space_inertia_factor_functions(
       {group,
        "",
        group,
-       {"Factor L of the joint-space inertia matrix H = L^T L: zero but for the diagonal and the ancestors of each "
-        "coordinate; with the reciprocals of its diagonal (Featherstone 2008, sec. 6.5).",
+       {"Factor L of the joint-space inertia matrix H = L^T L: zero except on the diagonal and at the ancestors of "
+        "each coordinate; and the reciprocals of its diagonal (Featherstone 2008, sec. 6.5).",
         rows},
        {},
        {},
@@ -190,7 +190,7 @@ std::vector<RobotFunction> coriolis_matrix_functions(const KinematicTree& tree, 
       {"coriolis_matrix",
        "",
        "coriolis_matrix",
-       {"Coriolis matrix C: C times the velocity is what velocities cause of the generalised forces, and dH/dt - 2 C "
+       {"Coriolis matrix C: C times the velocity gives the generalised forces due to velocities, and dH/dt - 2 C "
         "is skew symmetric (Niemeyer and Slotine 1991; Echeandia and Wensing 2021).",
         tree.floating_base
             ? "(6 + n) x (6 + n), as the joint-space inertia matrix H: for the velocity (base twist, qd), "
@@ -223,7 +223,7 @@ std::vector<RobotFunction> centroidal_functions(const KinematicTree& tree, Formu
       function(
           "centroidal_momentum_matrix",
           {"Spatial momentum of " + moves +
-               " about their centre of mass, in base axes: 3 rows of angular momentum (N m s), 3 of linear momentum (N "
+               " about the centre of mass, in base axes: 3 rows of angular momentum (N m s), 3 of linear momentum (N "
                "s) (Orin, Goswami, Lee 2013).",
            columns},
           centroidal_momentum_matrix(tree, "centroidal_momentum_matrix", representative))};
@@ -239,10 +239,10 @@ std::vector<RobotFunction> centroidal_bias_functions(const KinematicTree& tree, 
       {"centroidal_bias",
        "",
        "centroidal_momentum_bias",
-       {"Bias of the centroidal momentum: what is added to the centroidal momentum matrix times " + velocity +
-            " in the rate of angular (N m) and linear (N) momentum, in an inertial frame and in base axes, angular "
-            "first (Wensing and Orin 2016).",
-        "The rate of the momentum is the moment about the centre of mass and the force of all that acts from outside."},
+       {"Bias of the centroidal momentum: the rate of angular (N m) and linear (N) momentum minus the centroidal "
+        "momentum matrix times " +
+            velocity + ", in an inertial frame and in base axes, angular first (Wensing and Orin 2016).",
+        "The rate of the momentum equals the external moment about the centre of mass, and the external force."},
        {},
        {},
        centroidal_momentum_bias(tree, "centroidal_momentum_bias", choices.representative_of_model())}};

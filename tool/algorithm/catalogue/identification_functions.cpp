@@ -12,18 +12,18 @@ using model::KinematicTree;
 namespace {
 
 const char* const kParameters =
-    "Ten a link that moves, in link axes about its origin: mass m, first moment hx hy hz (mass times centre of mass), "
+    "Ten per moving link, in link axes about its origin: mass m, first moment hx hy hz (mass times centre of mass), "
     "moments of inertia Ixx Iyy Izz, products Ixy Ixz Iyz of positive sign.";
 
 std::string columns_of(const std::string& function) {
-  return "Columns: as " + function + "_columns lists them.";
+  return function + "_columns lists the columns.";
 }
 
 void add_rows(std::vector<std::string>& summary, const KinematicTree& tree) {
   if (tree.floating_base)
     summary.push_back(
-        "(6 + n) rows: those of the base wrench first, in base coordinates, moment first. The base moves as its "
-        "arguments say, as in inverse_dynamics_fully_actuated.");
+        "(6 + n) rows: those of the base wrench first, in base coordinates, moment first. The motion of the base is an "
+        "argument, as in inverse_dynamics_fully_actuated.");
 }
 
 RobotFunction function(
@@ -47,7 +47,7 @@ void add_labels(std::vector<RobotFunction>& list, const std::string& name, const
 std::vector<RobotFunction> regressor_functions(const KinematicTree& tree, FormulationChoices& choices) {
   const std::string group = "regressor";
   std::vector<std::string> summary = {
-      "Regressor Y of inverse dynamics: Y times inertial_parameters() are the joint forces, but for what drives add "
+      "Regressor Y of inverse dynamics: Y times inertial_parameters() gives the joint forces, without those of drives "
       "(Khalil and Dombre 2002, ch. 12).",
       columns_of("regressor")};
   add_rows(summary, tree);
@@ -64,10 +64,10 @@ std::vector<RobotFunction> regressor_functions(const KinematicTree& tree, Formul
       {"The inertial parameters of the document (kg, kg m, kg m^2), which the columns of regressor multiply.",
        kParameters}));
   summary = {
-      "Regressor of drives: Y times drive_parameters() is what drives add to the joint forces.",
+      "Regressor of drives: Y times drive_parameters() gives the joint forces of drives.",
       columns_of("drive_regressor") +
-          " Of each joint: inertia that the joint alone moves, damping, friction, stiffness of a spring, constant "
-          "force. Of each rotor on a link that moves: inertia times ratio."};
+          " For each joint: inertia that only this joint moves, damping, friction, spring stiffness, constant force. "
+          "For each rotor on a moving link: inertia times ratio."};
   add_rows(summary, tree);
   list.push_back(function(group, drive_regressor(tree, "drive_regressor"), summary, drive_parameter_names(tree)));
   list.push_back(function(
@@ -92,13 +92,13 @@ void add_base_parameters(
   std::vector<std::string> summary = {
       "Regressor Y of base parameters, the combinations of inertial parameters that forces depend on: Y times " +
           parameters +
-          "(inertial_parameters) are the joint forces, but for what drives add (Khalil and Dombre 2002, "
-          "sec. 9.4; Wensing, Niemeyer and Slotine 2017).",
+          "(inertial_parameters) gives the joint forces, without those of drives (Khalil and Dombre 2002, sec. 9.4; "
+          "Wensing, Niemeyer and Slotine 2017).",
       columns_of(regressor)};
   add_rows(summary, tree);
   summary.push_back(of_gravity);
   if (!tree.couplings.empty())
-    summary.emplace_back("The parameters are those of the joints as if none were coupled: some may be dependent.");
+    summary.emplace_back("The base parameters are computed as if no joints were coupled: some may be dependent.");
   list.push_back(function(
       group, base_regressor(tree, regressor, loads, representative), summary, base_parameter_names(tree, loads)));
   list.push_back(function(
@@ -117,21 +117,21 @@ std::vector<RobotFunction> base_regressor_functions(const KinematicTree& tree, F
   }
   add_base_parameters(
       list, tree, "", Loads::standard_gravity,
-      "Gravity is (0, 0, -9.81) m/s^2 in base coordinates: under other gravity forces may depend on more parameters, "
-      "those of base_regressor_any_gravity.",
+      "Gravity is (0, 0, -9.81) m/s^2 in base coordinates: under any other gravity, forces may depend on more "
+      "parameters, those of base_regressor_any_gravity.",
       representative);
   add_base_parameters(
       list, tree, "_any_gravity", Loads::gravity,
-      "`gravity` (m/s^2) is in base coordinates and may have any direction. Where all measurements have the same one, "
-      "some parameters may be dependent.",
+      "`gravity` (m/s^2) is in base coordinates and may have any direction. If all measurements have the same "
+      "direction, some parameters may be dependent.",
       representative);
   return list;
 }
 
 std::vector<RobotFunction> energy_regressor_functions(const KinematicTree& tree, FormulationChoices& choices) {
   std::vector<std::string> summary = {
-      "Regressor Y of the energies (J): Y times the inertial parameters, in the order of the columns of regressor, is "
-      "the kinetic energy (first row) and the potential energy (second row), but for what drives add."};
+      "Regressor Y of the energies (J): Y times the inertial parameters, in the order of the columns of regressor, "
+      "gives the kinetic energy (first row) and the potential energy (second row), without those of drives."};
   if (tree.floating_base) summary.emplace_back("`base_velocity` is in base coordinates, angular first.");
   std::vector<RobotFunction> list;
   add_overloads(
@@ -150,8 +150,8 @@ std::vector<RobotFunction> slotine_li_regressor_functions(const KinematicTree& t
       "which dH/dt - 2 C is skew symmetric (Slotine and Li 1987; Niemeyer and Slotine 1991)."};
   if (tree.floating_base)
     summary.emplace_back(
-        "(6 + n) rows: those of the base wrench first, moment first; the base has a reference velocity and the rate at "
-        "which its coordinates change, too. All are in base coordinates, angular first.");
+        "(6 + n) rows: those of the base wrench first, moment first; the base also has a reference velocity and the "
+        "rate of its coordinates. All are in base coordinates, angular first.");
   std::vector<RobotFunction> list;
   add_overloads(
       list, tree, "slotine_li_regressor", "slotine_li_regressor", summary,

@@ -50,7 +50,7 @@ void add_functions_of_quaternions(std::vector<RobotFunction>& list, const Kinema
        "",
        "integrate_positions",
        {"Joint positions after one second at constant velocities qd, or after another time if qd is multiplied by it.",
-        "Spherical joints turn about a fixed axis, exactly; their quaternions get unit length."},
+        "Spherical joints rotate about a fixed axis, exactly; the resulting quaternions have unit length."},
        {},
        {},
        integrate_positions(tree, "integrate_positions")});
@@ -60,7 +60,7 @@ void add_functions_of_quaternions(std::vector<RobotFunction>& list, const Kinema
        "position_difference",
        {"The constant velocities that lead from one position to another in one second: the inverse of "
         "integrate_positions.",
-        "A spherical joint takes the shorter way, of at most half a turn."},
+        "A spherical joint takes the shorter path, of at most half a turn."},
        {},
        {},
        position_difference(tree, "position_difference")});
@@ -163,9 +163,8 @@ std::vector<RobotFunction> jacobians_with_base_functions(
       list, tree, of_base, group, scope, "bias",
       [](const std::string& left, const std::string& right) {
         return "Bias of " + right +
-               ": what is added to its Jacobian with base columns times (spatial base acceleration, qdd) in its "
-               "angular acceleration (rad/s^2) and the acceleration of its origin (m/s^2) in an inertial frame, in "
-               "axes of " +
+               ": its angular acceleration (rad/s^2) and the acceleration of its origin (m/s^2) in an inertial frame, "
+               "minus its Jacobian with base columns times (spatial base acceleration, qdd), in axes of " +
                left + ".";
       },
       [&](const model::FramePair& pair, const std::string& name) { return jacobian_with_base_bias(tree, pair, name); },
@@ -186,9 +185,10 @@ std::vector<RobotFunction> jacobian_derivatives_functions(
   add_for_jacobians(
       list, tree, desired, "jacobian_derivatives", "jacobians", "Jd_qd",
       [](const std::string& left, const std::string& right) {
-        return "Time derivative of " + left + "_J_" + right + " times the joint velocities: what is added to " + left +
-               "_J_" + right + " qdd in the angular acceleration (rad/s^2) of " + right +
-               " and the acceleration (m/s^2) of its origin, with respect to " + left + " and in its axes.";
+        return "Time derivative of " + left + "_J_" + right +
+               " times the joint velocities: the angular acceleration (rad/s^2) of " + right +
+               " and the acceleration (m/s^2) of its origin minus " + left + "_J_" + right + " qdd, with respect to " +
+               left + " and in its axes.";
       },
       [&](const model::FramePair& pair, const std::string& name) {
         return jacobian_derivative_times_velocity(tree, pair, name);

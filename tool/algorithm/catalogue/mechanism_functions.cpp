@@ -64,9 +64,9 @@ std::string names_of_declared_couplings(const KinematicTree& tree) {
 }
 
 const char* const kAxesOfForces =
-    "Along the axes of the last link that carries both frames: the force, and where there are six numbers the moment "
-    "(N m) behind it, without what parallel joints share across a plane; of a distance one number, positive where its "
-    "rod is pressed.";
+    "Forces are in the axes of the last link that carries both frames; if there are six numbers, the moment (N m) "
+    "follows the force. The part that parallel joints share across a plane is left out. A distance has one number, "
+    "positive if its rod is compressed.";
 
 }  // namespace
 
@@ -92,19 +92,19 @@ void add_lever_arms(std::vector<RobotFunction>& list, const KinematicTree& tree)
   const auto add = [&](const std::string& name, std::vector<std::string> summary, auto build) {
     list.push_back(function("jacobians", name, std::move(summary), build(tree, name)));
   };
-  add("actuator_velocities", {"Rates (m/s) of the lengths of actuators."}, actuator_velocities);
+  add("actuator_velocities", {"Rates (m/s) of actuator lengths."}, actuator_velocities);
   add("actuator_jacobian",
-      {"Derivatives of the lengths of actuators (rows) by coordinates (columns): lever arms (m), or numbers where a "
-       "joint slides."},
+      {"Derivatives of actuator lengths (rows) by coordinates (columns): lever arms (m), or ratios (m/m) for prismatic "
+       "joints."},
       actuator_jacobian);
   add("actuator_torques",
-      {"Joint forces (N m, N) of the forces of actuators (N, positive where they push their frames apart): the "
-       "transpose of the Jacobian of their lengths times these."},
+      {"Joint forces (N m, N) due to actuator forces (N, positive if they push their frames apart): the transpose of "
+       "actuator_jacobian times these."},
       actuator_torques);
   if (drives_separate_coordinates(tree))
     add("actuator_forces",
-        {"Forces (N) of actuators that give the joint forces tau of the coordinates that they move; not finite where a "
-         "lever arm is zero."},
+        {"Actuator forces (N) that give the joint forces tau of the coordinates that they move; not finite if a lever "
+         "arm is zero."},
         actuator_forces);
 }
 
@@ -118,16 +118,17 @@ void add_loop_errors(std::vector<RobotFunction>& list, const KinematicTree& tree
   add("joint_accelerations", {"Accelerations of all joints (rad/s^2, m/s^2), in the order of joint_positions."},
       joint_accelerations);
   add("loop_error",
-      {"How loops are open where all joints have these positions, in the order of joint_positions: " +
+      {"Closure errors of loops, from the positions of all joints in the order of joint_positions: " +
            rows_of_loops(tree) + ".",
-       "Of each the position of its second frame in its first one (m; of a slider x and y); of a hinge also x and y of "
-       "the second frame's z axis in the first frame, of a slider and a weld the sine of the angle between both, along "
-       "its axis; of a distance by how much it is too long (m)."},
+       "For each loop, the position of its second frame in its first one (m; for a slider x and y); for a hinge also x "
+       "and y of the second frame's z axis in the first frame; for a slider and a weld also the sine of the angle "
+       "between both frames, along its axis; for a distance its excess length (m)."},
       loop_error);
   if (tree.followers_in_q().empty()) return;
   add("close_loops",
-      {"q with the joints that follow where the loops close: four steps of Newton's method from where they are, which "
-       "reach rounding from within some 0.05 rad. Not numbers where they end more than 1e-5 m or rad from closed."},
+      {"q in which the joints that follow close the loops: four steps of Newton's method from the given "
+       "positions, which converge to rounding errors from within about 0.05 rad. The joints that follow have NaN if a "
+       "loop remains open by more than 1e-5 m or rad."},
       close_loops);
 }
 
@@ -143,8 +144,8 @@ void add_loop_forces(std::vector<RobotFunction>& list, const KinematicTree& tree
   const Formulation& formulation = choices.newton_euler();
   add_overloads(
       list, tree, "inverse_dynamics", "loop_forces",
-      {"Forces (N) with which the second frame of each loop pushes the first one in a motion, where joints that follow "
-       "have no motors: " +
+      {"Forces (N) of the second frame of each loop on the first one during a motion, if joints that follow have no "
+       "motors: " +
            parts_of_forces(tree) + ".",
        kAxesOfForces},
       [&](const std::string& kernel, Loads loads) { return loop_forces(tree, kernel, loads, formulation); });
@@ -158,25 +159,25 @@ void add_loop_constrained_dynamics(
   if (model::with_free_joints(tree).inertia_defects.is_singular()) {
     for (RobotFunction& f : list)
       f.summary.emplace_back(
-          "loop_constrained_forward_dynamics is left out: without the loops a joint would meet no inertia.");
+          "loop_constrained_forward_dynamics is left out: with cut loops, a joint moves no inertia.");
     return;
   }
   const Formulation& formulation = choices.forward_dynamics().formulation;
   const std::string name = "loop_constrained_forward_dynamics";
   const std::string couplings = names_of_declared_couplings(tree);
   std::vector<std::string> summary = {
-      "Accelerations of all joints where loops are cut, and the forces that hold the loops, for simulators that "
-      "integrate all joints; positions, velocities, joint forces and accelerations in the order of joint_positions" +
+      "Accelerations of all joints with cut loops, and the forces that close the loops, for simulators that integrate "
+      "all joints; positions, velocities, joint forces and accelerations are in the order of joint_positions" +
           std::string(
-              tree.spherical_joints().empty() ? "." : ", behind these positions the scalar parts of quaternions."),
-      "`stabilization`: how the errors of loops fade away, as those of a damped oscillator (Baumgarte 1972): of the "
-      "error (1/s^2) and of its rate (1/s), such as a^2 and 2 a; zeros for none. `compliance` is added to the diagonal "
-      "of the inverse inertia that the loops see: zero for rigid ones; a small number, such as 1e-8, lets the motion "
+              tree.spherical_joints().empty() ? "." : ", and scalar parts of quaternions follow the positions."),
+      "`stabilization`: gains of the loop errors (1/s^2) and of their rates (1/s), such as a^2 and 2 a, with which the "
+      "errors decay as in a damped oscillator (Baumgarte 1972); zeros for none. `compliance` is added to the diagonal "
+      "of the inverse inertia at the loops: zero for rigid loops; a small number, such as 1e-8, lets the motion "
       "pass through positions in which loops are stretched.",
-      "`loop_forces`: those (N) with which the second frame of each loop pushes the first one: " +
-          parts_of_forces(tree) + ". " + kAxesOfForces};
+      "`loop_forces`: forces (N) of the second frame of each loop on the first one: " + parts_of_forces(tree) + ". " +
+          kAxesOfForces};
   if (!couplings.empty())
-    summary.push_back("`coupling_forces` (N m, N): those of couplings on the joints that follow: " + couplings + ".");
+    summary.push_back("`coupling_forces`: forces (N m, N) of couplings on the joints that follow: " + couplings + ".");
   if (tree.floating_base)
     summary.emplace_back("`base_velocity` and `base_acceleration` (spatial) are in base coordinates, angular first.");
   add_overloads(list, tree, "forward_dynamics", name, summary, [&](const std::string& kernel, Loads loads) {

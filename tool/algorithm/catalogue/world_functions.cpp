@@ -63,7 +63,11 @@ std::vector<Kind> kinds(const KinematicTree& tree) {
       {"position", false, false,
        [](const std::string& frame) { return std::vector<std::string>{"Origin of " + frame + " in the world (m)."}; },
        [&](const Frame& frame, const std::string& name) { return world_position(tree, frame, name); }}};
-  const std::string columns = tree.floating_base ? kBaseColumns : kJointColumns;
+  const bool floats = tree.floating_base;
+  const std::string columns = floats ? kBaseColumns : kJointColumns;
+  const std::string of_base = floats ? " `base_acceleration` is spatial." : "";
+  const std::string jacobian = floats ? "Jacobian with base columns" : "Jacobian";
+  const std::string rates = floats ? "(spatial base acceleration, qdd)" : "qdd";
   for (const Axes axes : {Axes::of_world, Axes::of_frame}) {
     const bool in_target = axes == Axes::of_frame;
     const auto add = [&](const std::string& what, const auto& summary, const auto& build) {
@@ -85,29 +89,27 @@ std::vector<Kind> kinds(const KinematicTree& tree) {
         world_velocity);
     add(
         "acceleration",
-        [](const std::string& frame, const std::string& in_axes) {
+        [of_base](const std::string& frame, const std::string& in_axes) {
           return Summary{
               "Acceleration of " + frame + " in the world, " + in_axes + ": " + kAccelerations +
-              ". Gravity is not included; that of the base is spatial."};
+              ". Gravity is not included." + of_base};
         },
         world_acceleration);
     add(
         "J",
-        [columns](const std::string& frame, const std::string& in_axes) {
+        [columns, jacobian](const std::string& frame, const std::string& in_axes) {
           return Summary{
-              "Jacobian with base columns: the velocity of " + frame + " in the world, " + in_axes + ": " + kRates +
+              jacobian + ": the velocity of " + frame + " in the world, " + in_axes + ": " + kRates +
                   "; angular rows first.",
               columns};
         },
         world_jacobian);
     add(
         "bias",
-        [](const std::string& frame, const std::string& in_axes) {
+        [rates](const std::string& frame, const std::string& in_axes) {
           return Summary{
-              "Bias of " + frame + ", " + in_axes +
-              ": what is added to its Jacobian in the world times (spatial base acceleration, qdd) in its "
-              "acceleration: " +
-              kAccelerations + "."};
+              "Bias of " + frame + ", " + in_axes + ": its acceleration minus its Jacobian in the world times " +
+              rates + ": " + kAccelerations + "."};
         },
         world_bias);
   }
@@ -158,33 +160,30 @@ std::vector<RobotFunction> world_centroidal_functions(const KinematicTree& tree,
           "center_of_mass", {"Centre of mass of " + moves + " in the world (m)."},
           [&](Name name) { return center_of_mass(tree, name, like, axes); }),
       function(
-          "center_of_mass_velocity",
-          {"Velocity (m/s) of the centre of mass of " + moves + " in the world, in its axes."},
+          "center_of_mass_velocity", {"Velocity (m/s) of the centre of mass of " + moves + " in axes of the world."},
           [&](Name name) { return center_of_mass_velocity(tree, name, like); }),
       function(
           "center_of_mass_jacobian",
-          {"Velocity (m/s) of the centre of mass of " + moves + " in the world, in its axes: 3 rows.", columns},
+          {"Velocity (m/s) of the centre of mass of " + moves + " in axes of the world: 3 rows.", columns},
           [&](Name name) { return center_of_mass_jacobian(tree, name, like, axes); }),
       function(
           "centroidal_momentum",
           {"Momentum of " + moves +
-           " about their centre of mass, in axes of the world: angular (N m s), then linear "
+           " about the centre of mass, in axes of the world: angular (N m s), then linear "
            "(N s)."},
           [&](Name name) { return centroidal_momentum(tree, name, like); }),
       function(
           "centroidal_momentum_matrix",
           {"Momentum of " + moves +
-               " about their centre of mass, in axes of the world: 3 rows of angular momentum (N m s), 3 of linear "
+               " about the centre of mass, in axes of the world: 3 rows of angular momentum (N m s), 3 of linear "
                "momentum (N s) (Orin, Goswami, Lee 2013).",
            columns},
           [&](Name name) { return centroidal_momentum_matrix(tree, name, like, axes); }),
       function(
           "centroidal_momentum_bias",
-          {"Bias of the centroidal momentum: what is added to the centroidal momentum matrix in axes of the world "
-           "times " +
-           velocity +
-           " in the rate of angular (N m) and linear (N) momentum; the time derivative of the matrix times "
-           "the velocities (Wensing and Orin 2016)."},
+          {"Bias of the centroidal momentum: the rate of angular (N m) and linear (N) momentum minus the centroidal "
+           "momentum matrix in axes of the world times " +
+           velocity + ", which is the time derivative of the matrix times the velocities (Wensing and Orin 2016)."},
           [&](Name name) { return centroidal_momentum_bias(tree, name, like, axes); })};
 }
 

@@ -17,7 +17,7 @@ ActiveContacts::ActiveContacts(
     const SquareMatrix& W,
     const ContactSwitches& switches)
     : trace_(trace), rows_(rows), switches_(switches), matrix_(W) {
-  trace.section("contacts", "contacts: which are active");
+  trace.section("contacts", "contacts: active rows");
   for (int r = 0; r < rows.size(); ++r) {
     const int own = rows.contact[at(r)];
     for (int c = 0; c < r; ++c) {

@@ -121,7 +121,7 @@ Program constrained_forward_dynamics(
   const std::vector<Expression> of_contacts = contact_bias(robot, bias.motions, load.gravity, contacts);
   const SwitchedContacts switched(robot, in.q, contacts, switches);
   const auto& [rows, system, active] = switched;
-  trace.section("contacts", "contacts: accelerations that are missing");
+  trace.section("contacts", "contacts: missing accelerations");
   const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
   const std::vector<Expression> free = system.at_rows(halved);
   std::vector<Expression> missing;
@@ -173,7 +173,7 @@ Program inverse_dynamics_with_contacts(
   Forces forces = TracedMotion(trace, in, loads, formulation).forces;
   std::vector<Expression> tau = by_coordinate(trace, forces.tau);
   const ContactRows rows(trace, in.q, contacts);
-  trace.section("contacts", "contacts: what their wrenches leave to the joints");
+  trace.section("contacts", "contacts: joint forces minus those of the wrenches");
   subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
   trace.output("tau", Role::joint_force, tau);
   if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);

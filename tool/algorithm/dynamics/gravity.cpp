@@ -106,7 +106,7 @@ Program looped_gravity_derivative(
   const int rows = static_cast<int>(of.size());
   trace.output("d_q", Role::matrix, rows, d_q);
   if (!tree.floating_base) return trace.program(name);
-  trace.section(tree.links[0].name, "derivatives by a turn of the base");
+  trace.section(tree.links[0].name, "derivatives by rotation of the base");
   Columns d_base;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3 change = cross(load.gravity, unit_vector(trace.graph, k));

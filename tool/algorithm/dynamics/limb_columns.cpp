@@ -110,7 +110,7 @@ symbolic::Program limb_solution(
   const std::vector<Expression> own = trace.input("own", Role::value, own_names);
   const std::vector<Expression> is_limb = trace.input("is_limb", Role::value, limb_names);
   const std::vector<Expression> given = trace.input("b", Role::value, b_names);
-  trace.section("solution", "a column of each limb");
+  trace.section("solution", "one column per limb");
   // The lane's limb takes the rows of the first limb; the rows of the others are zero.
   LdlFactors in_place = factors;
   std::vector<Expression> b(names.size());

@@ -25,7 +25,7 @@ std::vector<Expression>& LoopConstraints::add_row(const std::string& name) {
 
 void LoopConstraints::add_closure(const model::Closure& closure, const std::vector<Expression>& q) {
   const std::string& name = looped_.loops[at(closure.loop())].name;
-  trace_.section(name, "loop " + name + ": how it is open");
+  trace_.section(name, "loop " + name + ": closure error");
   Part& part = parts_.emplace_back(Part{closure, traced_open(trace_, closure, q)});
   const std::vector<Expression> open = part.traced->independent(part.traced->error());
   error.insert(error.end(), open.begin(), open.end());
@@ -41,7 +41,7 @@ void LoopConstraints::add_closure(const model::Closure& closure, const std::vect
 
 void LoopConstraints::add_coupling(const model::Coupling& coupling, const std::vector<Expression>& q) {
   const std::string& name = looped_.joints[at(coupling.joint)].name;
-  trace_.section(name, "joint " + name + ": how far it is from where it follows");
+  trace_.section(name, "joint " + name + ": coupling error");
   const int base = looped_.floating_base ? 6 : 0;
   std::vector<Expression>& row = add_row(name);
   row[at(base + coupling.joint)] = trace_.graph.one();

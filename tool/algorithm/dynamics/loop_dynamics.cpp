@@ -55,7 +55,7 @@ Program loop_constrained_forward_dynamics(
   LoopConstraints loops(trace, tree, in.q);
   const std::vector<Expression> of_velocities = loops.bias(in.qd);
   const ConstraintSystem system(robot, loops.rows);
-  trace.section("loops", "loops: accelerations that are missing");
+  trace.section("loops", "loops: missing accelerations");
   const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
   const std::vector<Expression> unheld = system.at_rows(halved);
   std::vector<Expression> v(at(tree.floating_base ? 6 : 0));

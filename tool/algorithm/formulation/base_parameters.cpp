@@ -96,7 +96,7 @@ std::vector<MassProperties> with_base_parameters(
     if (!joint.is_first()) continue;
     const Pose& pose = poses[static_cast<std::size_t>(j)];
     const std::string& name = tree.links[static_cast<std::size_t>(joint.child)].name;
-    trace.section(name, "link ", ": mass properties that matter");
+    trace.section(name, "link ", ": base inertial parameters");
     // The child of a spherical joint is behind its last component.
     const int link = joint.spherical.empty() ? joint.child : tree.joints[static_cast<std::size_t>(j) + 2].child;
     MassProperties& child = masses[static_cast<std::size_t>(link)];

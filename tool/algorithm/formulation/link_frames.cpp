@@ -294,16 +294,16 @@ std::string description(const model::KinematicTree& tree, const LinkFrames& fram
     const LinkFrame& frame = frames[j];
     if (!frame.turn.is_zero() || !frame.slide.is_zero()) {
       placed += (placed.empty() ? "" : "; ") + link;
-      if (!frame.turn.is_zero()) placed += " turned by " + amount(frame.turn) + " rad";
+      if (!frame.turn.is_zero()) placed += " rotated by " + amount(frame.turn) + " rad";
       if (!frame.slide.is_zero()) placed += " moved by " + amount(frame.slide) + " m";
     }
     if (!frame.turns_with_joint) turning += (turning.empty() ? "" : ", ") + link;
   }
   std::string text;
-  if (!placed.empty()) text = "Link frames in which products vanish: " + placed + ".";
+  if (!placed.empty()) text = "Link frames that make products vanish: " + placed + ".";
   if (turning.empty()) return text;
   if (!text.empty()) text += " ";
-  return text + "Inertia in the parent's axes, which costs less than rotating the motion vectors: " + turning + ".";
+  return text + turning + ": inertia expressed in the parent's axes (cheaper than rotating the motion vectors).";
 }
 
 AxisPlacement axis_placement(const Placement& placement) {

@@ -152,7 +152,7 @@ Program close_loops(const model::KinematicTree& tree, const std::string& name) {
       trace.section(loop, "loop " + loop + ": step " + std::to_string(step + 1));
       newton_step(trace, closure, q);
     }
-    trace.section(loop, "loop ", ": whether it is closed");
+    trace.section(loop, "loop ", ": check of closure");
     Expression left = trace.graph.constant(kOpen * kOpen);
     for (const Expression& row : open_rows(trace, closure, q)) left -= row * row;
     const Expression root = sqrt(left), is_closed = root / root;

@@ -44,7 +44,7 @@ Program integrate_positions(const model::KinematicTree& tree, const std::string&
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const std::size_t x = at(balls[k]);
     const std::string& ball = tree.joints[x].declared_name();
-    trace.section(ball, "joint ", ": turn");
+    trace.section(ball, "joint ", ": rotation");
     const Vector3 half = trace.graph.constant(0.5) * Vector3{qd[x], qd[x + 1], qd[x + 2]};
     const Expression angle = length(trace, half);
     const Quaternion turn = {cos(angle), (sin(angle) / angle) * half};
@@ -67,7 +67,7 @@ Program position_difference(const model::KinematicTree& tree, const std::string&
   for (const int joint : tree.coordinates()) way[at(joint)] = to[at(joint)] - from[at(joint)];
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const std::string& ball = tree.joints[at(balls[k])].declared_name();
-    trace.section(ball, "joint ", ": turn");
+    trace.section(ball, "joint ", ": rotation");
     const Quaternion start = quaternion_of(from, tree.joints.size(), balls[k], k);
     const Quaternion turn = product({start.w, -start.v}, quaternion_of(to, tree.joints.size(), balls[k], k));
     // The arc tangent of the whole angle, which is the shorter way whatever the signs of the quaternions.

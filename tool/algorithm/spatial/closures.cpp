@@ -101,7 +101,7 @@ std::vector<Expression> TracedClosure::changes(
     const std::vector<symbolic::Rate>& motion,
     const std::vector<Expression>& v) {
   rates();
-  section("changes of rates");
+  section("derivatives of rates");
   std::vector<Expression> total(all_.front().rows.size());
   for (const Column& column : all_) {
     const Expression& moved = v[at(column.joint)];

@@ -65,9 +65,9 @@ std::string definition(const Names& names, const Callable& c, const std::string&
 std::string print_column_solver(const Names& names, const Function& solution, const Precision& precision) {
   const std::string rows = std::to_string(solution.program.outputs.front().rows), scalar = precision.scalar;
   const std::string column = private_name(names, solution.kernel, precision);
-  return comment("One column of solutions.") +
+  return comment("Solves for one column.") +
          definition(names, {&solution, {}, {}}, "static void " + column, precision) + "\n" +
-         comment("Puts solutions in the place of columns.") +
+         comment("Replaces each column by its solution.") +
          wrapped(
              "static void " + private_name(names, solution.kernel + "s", precision) + "(",
              {"const " + scalar + " *factor", "int count", scalar + " *columns"}, ") {") +
@@ -142,7 +142,8 @@ std::string print_header(const Names& names, const std::string& group) {
   if (has_update(names, group)) {
     text +=
         "\n"
-        "// The whole cache, of which functions read what they need of the parameters: once, and after every change.\n";
+        "// Computes the whole cache, which functions read in place of the parameters. Call it once, and after every "
+        "change.\n";
     for (const Precision& precision : kPrecisions) text += names.in(precision, kUpdate) + ";\n";
   }
   return header(names, group + ".h", group, text + "\n#ifdef __cplusplus\n}\n#endif\n");

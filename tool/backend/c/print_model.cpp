@@ -29,14 +29,14 @@ typedef struct {
   int index;
 } @_limb_element;
 
-// An instance of a part in the document. Elements without a name end lists; joints are in the order of joint_names.
+// An instance of a part in the document. An element without a name ends a list; indices of joints refer to joint_names.
 typedef struct {
   const char *name, *part;
   int first_link;
   const @_limb_element *links, *joints, *frames;
 } @_limb;
 
-// A limb without a name ends them.
+// A limb without a name ends the array.
 )";
 
 // A constant that model.c defines: `const double hyl_joint_lower[3]`, and its values.
@@ -55,7 +55,7 @@ Constant constant(const Names& names, const Table& table) {
   if (!table.is_numeric) values.emplace_back("0");
   const std::string type = table.is_numeric ? "const double " : "const char *const ";
   return {
-      "\n" + comment(table.what + (table.is_numeric ? "" : "; a null pointer ends them.")),
+      "\n" + comment(table.what + (table.is_numeric ? "" : "; a null pointer ends the list.")),
       type + names.prefix + "_" + subscripted(table.name, values.size()), values};
 }
 
@@ -97,7 +97,8 @@ std::vector<Constant> constants(const Names& names) {
   if (names.library.parameters.empty()) return list;
   const std::size_t first = list.size();
   for (const Precision& precision : kPrecisions) list.push_back(default_parameters(names, precision));
-  list[first].before.insert(0, "\n// The parameters, and their values as declared; NAN where there is none.\n");
+  list[first].before.insert(
+      0, "\n// The parameters, with their declared values; NAN for a parameter without a value.\n");
   return list;
 }
 
@@ -110,7 +111,7 @@ std::string enumeration(const Names& names) {
 
 std::string caches(const Names& names) {
   if (names.library.updates.empty()) return "";
-  const std::string what = "What functions read: values that follow from the parameters. @_update computes them.";
+  const std::string what = "Values that depend on the parameters. Functions read them, and @_update computes them.";
   const std::string size = std::to_string(std::max(cache_size(names.library), 1));
   std::string text = "\n" + comment(names.in(kDouble, what));
   for (const Precision& precision : kPrecisions)

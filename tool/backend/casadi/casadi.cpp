@@ -161,10 +161,10 @@ std::string output(const std::string& prefix) {
 OutputFile print(const Library& library) {
   const Names names = c::names(library);
   const std::string given = names.prefix + "__given", take = names.prefix + "__take";
-  std::string text = c_family::banner(library, output(names.prefix), "external functions of CasADi");
+  std::string text = c_family::banner(library, output(names.prefix), "external functions for CasADi");
   text += comment(
       "In CasADi: external(\"" + names.prefix +
-      "_casadi_...\", \"./lib.so\"), from a library of this file and of the functions.");
+      "_casadi_...\", \"./lib.so\"), from a library compiled from this file and the functions.");
   text += "#include \"" + names.folder + "/" + names.folder +
           ".h\"\n\n#include <string.h>\n\n"
           "#ifndef casadi_real\n#define casadi_real double\n#endif\n"
@@ -176,23 +176,24 @@ OutputFile print(const Library& library) {
   if (names.callables.empty()) return {path, text};
   // A function that nothing calls is a warning.
   if (std::any_of(names.callables.begin(), names.callables.end(), takes_inputs))
-    text += comment("An argument that is a null pointer is zero.") + "static const casadi_real *" + given +
+    text += comment("A null pointer as argument means zero.") + "static const casadi_real *" + given +
             "(const casadi_real *argument, casadi_real *memory, size_t size) {\n"
             "  if (argument) return argument;\n"
             "  memset(memory, 0, size * sizeof *memory);\n"
             "  return memory;\n}\n\n";
-  text +=
-      comment("A result that is a null pointer is not wanted. Of a sparse one only the elements of its pattern are.") +
-      "static void " + take +
-      "(const casadi_real *from, const casadi_int *pattern, casadi_real *result) {\n"
-      "  casadi_int column, k;\n"
-      "  if (!result) return;\n"
-      "  if (pattern[2]) {\n"
-      "    memcpy(result, from, (size_t)(pattern[0] * pattern[1]) * sizeof *result);\n"
-      "    return;\n  }\n"
-      "  for (column = 0; column < pattern[1]; ++column)\n"
-      "    for (k = pattern[2 + column]; k < pattern[3 + column]; ++k)\n"
-      "      result[k] = from[column * pattern[0] + pattern[3 + pattern[1] + k]];\n}\n";
+  text += comment(
+              "A null pointer as result means that the result is not needed. A sparse result consists of the elements "
+              "of its pattern.") +
+          "static void " + take +
+          "(const casadi_real *from, const casadi_int *pattern, casadi_real *result) {\n"
+          "  casadi_int column, k;\n"
+          "  if (!result) return;\n"
+          "  if (pattern[2]) {\n"
+          "    memcpy(result, from, (size_t)(pattern[0] * pattern[1]) * sizeof *result);\n"
+          "    return;\n  }\n"
+          "  for (column = 0; column < pattern[1]; ++column)\n"
+          "    for (k = pattern[2 + column]; k < pattern[3 + column]; ++k)\n"
+          "      result[k] = from[column * pattern[0] + pattern[3 + pattern[1] + k]];\n}\n";
   for (const Callable& c : names.callables)
     if (c.function->group != c::kParametersGroup) text += print_function(names, c);
   return {path, text};

@@ -129,28 +129,30 @@ bool has_closures(const Library& library) {
 std::vector<std::string> describe_constants(const Library& library) {
   std::vector<std::string> lines = {
       "Constants of the robot, in SI units. Indices count from 0; link 0 is the base, whose parent_joint is -1.",
-      "joints: those of joint arrays, with the pose of the joint frame in the frame of the parent link: translation, "
-      "then rotation about the axes x, y', z''; limits.",
-      "coupled_joints: those that follow, counted behind the others: factors * q + offset.",
-      "links: mass, com, and about the origin of the link frame moments of inertia xx, yy, zz and products of inertia "
-      "xy, xz, yz, of positive sign.",
+      "joints: in the order of joint arrays, with the pose of the joint frame in the frame of the parent link "
+      "(translation, then rotation about the axes x, y', z'') and limits.",
+      "coupled_joints: joints that follow the others, at factors * q + offset. Their indices come after those of "
+      "joints.",
+      "links: mass, com, and moments of inertia xx, yy, zz and products of inertia xy, xz, yz, of positive sign, about "
+      "the origin of the link frame.",
       "frames: the link that a frame moves with, and its pose in the frame of this link.",
-      "limbs: of each instance of a part in the document, the index of its first link, and those of its links, its "
-      "joints, and its user frames, by their names in the part."};
+      "limbs: for each instance of a part in the document, the index of its first link, and the indices of its links, "
+      "joints and user frames, by their names in the part."};
   if (library.has_spherical_joints())
     lines.push_back(
-        "positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
-        "three components, its angular velocities about the axes of the child. Factors multiply q without the scalar "
-        "parts.");
+        "positions: the elements of q. A spherical joint has a unit quaternion, scalar part first; in joints it has "
+        "three components, for its angular velocities about the axes of the child. Factors multiply q without the "
+        "scalar parts.");
   if (!library.followers.empty())
     lines.push_back(
-        "positions: the elements of q. Behind those of joints are those of coupled joints that close_loops finds.");
+        "positions: the elements of q. The positions of joints come first, then those of coupled joints that "
+        "close_loops computes.");
   if (has_closures(library))
     lines.push_back(
-        "factors and offset are NaN of joints that follow through a loop: joint_positions gives their positions.");
+        "factors and offset are NaN for joints that follow through a loop: joint_positions computes their positions.");
   if (!library.parameters.empty())
     lines.push_back(
-        "Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");
+        "Numbers that depend on parameters are computed from the declared values; they are NaN if a value is missing.");
   return lines;
 }
 
@@ -165,8 +167,8 @@ std::vector<std::pair<std::string, std::size_t>> sizes(const Library& library) {
 std::vector<Table> tables(const Library& library) {
   std::vector<Table> all;
   if (library.has_robot()) {
-    const std::string but = library.has_spherical_joints() ? " but q, of spherical joints three"
-                            : library.has_own_positions()  ? " but q"
+    const std::string but = library.has_spherical_joints() ? " except q; a spherical joint has three elements"
+                            : library.has_own_positions()  ? " except q"
                                                            : "";
     all.push_back({"joint_names", "The joints, in the order of all arrays of joints" + but, names(library.joints)});
     if (library.has_own_positions())
@@ -180,10 +182,10 @@ std::vector<Table> tables(const Library& library) {
     all.push_back({name, what, {}, {}, true});
     for (const JointData& joint : library.joints) all.back().numbers.push_back(joint.limits.*limit);
   };
-  add("joint_lower", "Least positions: rad or m.", &JointLimits::lower);
-  add("joint_upper", "Greatest positions: rad or m.", &JointLimits::upper);
-  add("joint_velocity", "Greatest speeds: rad/s or m/s.", &JointLimits::velocity);
-  add("joint_effort", "Greatest forces: N m or N.", &JointLimits::effort);
+  add("joint_lower", "Lower position limits: rad or m.", &JointLimits::lower);
+  add("joint_upper", "Upper position limits: rad or m.", &JointLimits::upper);
+  add("joint_velocity", "Velocity limits: rad/s or m/s.", &JointLimits::velocity);
+  add("joint_effort", "Effort limits: N m or N.", &JointLimits::effort);
   return all;
 }
 

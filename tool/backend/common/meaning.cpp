@@ -34,7 +34,7 @@ std::string meaning(Role role) {
     case Role::inverse_diagonal:
       return "reciprocals of the diagonal of L";
     case Role::contact_activity:
-      return "1 where a contact holds, 0 where it is open";
+      return "1 for an active contact, 0 for an open one";
     default:
       return "";
   }
@@ -65,21 +65,22 @@ std::string remark_on_positions(const symbolic::Program& program) {
     if (input.role != Role::joint_position) continue;
     if (const std::string list = names_of_quaternions(input); !list.empty())
       remark =
-          "Quaternions of unit length, scalar part first, that rotate coordinates of the child to those of the joint "
+          "Unit quaternions, scalar part first, that rotate coordinates of the child to coordinates of the joint "
           "frame: " +
           list + ". Velocities are those of the child with respect to the parent, in axes of the child.";
     if (input.followers > 0)
-      remark += (remark.empty() ? "" : " ") + std::string("Joints that follow through loops, from close_loops: ") +
-                names_of_followers(input) + ".";
+      remark += (remark.empty() ? "" : " ") +
+                std::string("Joints that follow through loops, computed by close_loops: ") + names_of_followers(input) +
+                ".";
   }
   return remark;
 }
 
 std::string meaning_of_positions(const Library& library) {
   std::string text;
-  if (library.has_spherical_joints()) text = "of spherical joints unit quaternions, scalar part first";
+  if (library.has_spherical_joints()) text = "spherical joints have unit quaternions, scalar part first";
   if (!library.followers.empty())
-    text += (text.empty() ? "" : "; ") + std::string("last those of joints that follow through loops");
+    text += (text.empty() ? "" : "; ") + std::string("joints that follow through loops come last");
   return text;
 }
 
@@ -120,7 +121,7 @@ std::vector<std::string> describe_columns(const Library& library, const Function
 
 std::string describe_elements(const symbolic::InputArray& input) {
   constexpr std::size_t kMaxListed = 40;
-  if (input.role == Role::link_wrenches) return "six elements a link, base first";
+  if (input.role == Role::link_wrenches) return "six elements per link, base first";
   return input.elements.size() > kMaxListed ? "" : joined(input.elements);
 }
 
@@ -133,7 +134,8 @@ std::vector<std::string> describe_arrays(
     const std::string& name = names[lines.size()];
     const std::string elements = input.role == Role::inertia_factor ? "L, column by column" : describe_elements(input);
     if (input.role == Role::parameters)
-      lines.push_back(name + (has_cache ? ": of the parameters, as computed before" : ": the parameters"));
+      lines.push_back(
+          name + (has_cache ? ": values that depend on the parameters, computed before" : ": the parameters"));
     else
       lines.push_back(subscripted(name, input.elements.size()) + (elements.empty() ? "" : ": " + elements));
   }

@@ -53,9 +53,9 @@ std::vector<std::string> summary(const Callable& callable) {
 
 std::string describe_operations(const Library& library, const Function& function) {
   const symbolic::OperationCount c = count(library, function);
-  return "Takes " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
+  return "Operations: " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
          std::to_string(c.div) + " divisions, " + (c.sqrt ? std::to_string(c.sqrt) + " square roots, " : "") +
-         std::to_string(c.sincos) + " pairs of sine and cosine.";
+         std::to_string(c.sincos) + " sine and cosine pairs.";
 }
 
 }  // namespace robcogen::backend

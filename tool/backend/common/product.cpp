@@ -17,7 +17,8 @@ std::string convention_of_primitives(const Library& library) {
   const std::string frame = library.primitives == PrimitiveConvention::left
                                 ? "from the original frame to the frame rotated by +a (moved frame on the left)"
                                 : "from the frame rotated by +a to the original frame (moved frame on the right)";
-  return "Product of your own Rx, Ry, Rz, Tx, Ty, Tz, whatever matrices they make: Rx(a) must map coordinates " +
+  return "Product of your own Rx, Ry, Rz, Tx, Ty, Tz, which may return any kind of matrix: Rx(a) must map "
+         "coordinates " +
          frame + ".";
 }
 

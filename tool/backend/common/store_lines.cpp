@@ -61,7 +61,7 @@ void StoreLines::add_those_of_inputs() {
     }
     if (values.empty()) continue;
     if (!lines_.empty())
-      lines_.add_section(kind == Operand::Kind::input ? "elements that are inputs" : "constant elements");
+      lines_.add_section(kind == Operand::Kind::input ? "elements equal to inputs" : "constant elements");
     for (const Operand& value : values) store(targets[lines_.text_of(value)], value);
   }
 }

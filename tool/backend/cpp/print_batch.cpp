@@ -102,13 +102,13 @@ struct Signature {
 std::string documentation(const Callable& callable, const Signature& signature, const std::string& sizes) {
   if (signature.single_precision) return "";
   if (signature.has_storage)
-    return comment("The same; with robcogen::batch::Storage::lower, elements above the diagonal are left as they are.");
+    return comment("The same; with robcogen::batch::Storage::lower, elements above the diagonal are not written.");
   std::string text;
   if (signature.has_gravity)
     text += comment(callable.function->summary);
   else
     text += comment("The same under standard gravity.");
-  return text + comment("Elements of a state: " + sizes + ".");
+  return text + comment("Elements per state: " + sizes + ".");
 }
 
 std::string function(const Api& api, const Callable& callable, const Signature& signature) {
@@ -195,14 +195,14 @@ std::string print_batch(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(
            library, path,
-           "functions over n states at once, in double" + std::string(single ? " and (namespace f32) single" : "") +
+           "functions over batches of n states, in double" + std::string(single ? " and (namespace f32) single" : "") +
                " precision") +
            "//\n"
            "// The arguments say how the states are stored: robcogen::batch::by_element(data, stride), by_state(data), "
            "or one\n"
            "// value for all states. Matrices are stored by columns. Units and frames are those of the functions of "
            "one state.\n"
-           "// Results must not overlap arguments. n may be any number; nothing beyond n states is read or written.\n"
+           "// Results must not overlap arguments. n may be any number; only n states are read and written.\n"
            "//\n"
            "// Results agree with single calls up to rounding: processors fuse products into sums where they can. No "
            "state\n"
@@ -229,7 +229,7 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
   if (!own.empty()) headers.insert(headers.begin() + 1, "\"robcogen/batch_states.h\"");
   headers.insert(headers.begin(), own.begin(), own.end());
   return paragraphs(
-      {banner(*api.library, path, "the choice of a processor's bodies"), includes(headers), runtime_check(api),
+      {banner(*api.library, path, "selection of the bodies for the processor"), includes(headers), runtime_check(api),
        in_namespace(
            api.space + "::batch", paragraphs(
                                       {compiled_levels(), in_namespace("body", paragraphs(bodies)),

@@ -83,9 +83,10 @@ std::string print_batch_bodies(const Api& api, const std::string& group, const s
     bodies.push_back(definition(api, k, in_place.has_value()));
     if (in_place && !k.is_lower) in_columns.push_back(column_kernel(*in_place));
   }
-  const std::string remark = "// Kernels that write to the place of the result in the memory of the caller.\n";
+  const std::string remark = "// Kernels that write their results directly into the caller's memory.\n";
   return paragraphs(
-      {banner(*api.library, path, "bodies over many states, compiled once for each processor"), "#pragma once\n",
+      {banner(*api.library, path, "bodies of batch functions, compiled once for each processor level"),
+       "#pragma once\n",
        includes({"\"robcogen/batch_body.h\"", "\"" + kernel_path(folder(*api.library), group) + "\""}),
        in_columns.empty() ? "" : remark + in_namespace(api.space + "::batch::columns", paragraphs(in_columns)),
        in_namespace(api.space + "::batch::body", paragraphs(bodies))});
@@ -102,7 +103,7 @@ std::string print_batch_level(
   const std::string text = paragraphs(
       {includes({"\"" + batch_path(folder(*api.library), group) + "\""}),
        in_namespace(api.space + "::batch::body", paragraphs(kernels))});
-  const std::string head = banner(*api.library, path, "bodies over many states, for one processor");
+  const std::string head = banner(*api.library, path, "bodies of batch functions for one processor level");
   if (level == kLevels[0]) return paragraphs({head, text});
   return paragraphs(
       {head, includes({"\"robcogen/batch.h\""}), "#if ROBCOGEN_BATCH_LEVELS\n", text,

@@ -269,11 +269,11 @@ std::string robot_type(const Api& api) {
 // The conventions that hold for all functions.
 std::string conventions(const Api& api) {
   const Library& library = *api.library;
-  std::string text = "They are pure functions: no state, no allocation, no exceptions. Units are SI, angles in rad.";
+  std::string text = "All functions are pure: no state, no allocation, no exceptions. Units are SI, angles in rad.";
   if (library.has_robot()) text += " Joint vectors are in the order of " + api.space + "::Joint.";
   if (library.has_own_positions()) text += " Positions are in the order of " + api.space + "::Position";
   if (library.has_spherical_joints()) text += "; their quaternions must be of unit length (robcogen/positions.h)";
-  if (!library.followers.empty()) text += "; close_loops finds the last ones";
+  if (!library.followers.empty()) text += "; close_loops computes the last ones";
   if (library.has_own_positions()) text += ".";
   const bool single = library.has_single_precision;
   if (single) text += " " + api.space + "::f32 has the same types and functions in single precision.";
@@ -281,8 +281,8 @@ std::string conventions(const Api& api) {
   text += " " + api.space + (single ? "::Robot, and f32::Robot, have" : "::Robot has") +
           " all functions but transforms and Jacobians as members, for code that is generic over robots.";
   if (api.takes_sines())
-    text += std::string(" Where sines and cosines of the joints are known, a ") + kTrigonometryType +
-            " takes the place of positions.";
+    text += std::string(" If sines and cosines of the joints are known, pass a ") + kTrigonometryType +
+            " in place of positions.";
   return comment(text);
 }
 
@@ -332,7 +332,7 @@ std::string print_umbrella(const Api& api, const std::string& path) {
            conventions(api),
        "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers),
        in_namespace(api.space, paragraphs(groups)),
-       comment(single ? "The definitions, in each precision." : "The definitions.") +
+       comment(single ? "The definitions in each precision." : "The definitions.") +
            includes({cpp::quoted(kernels_path(folder(library)))}),
        std::string("#define ") + kIncluded + "\n" + definitions_in(api, api.space),
        (single ? definitions_in(api, api.space + "::f32") : std::string()) + "#undef " + kIncluded + "\n"});
@@ -344,7 +344,7 @@ std::string print_definitions(const Api& api, const std::string& path) {
       banner(library, path, "definitions of its functions") +
       comment(
           umbrella_path(folder(library)) + " includes this file in the namespace" +
-          (library.has_single_precision ? "s of both precisions" : "") + "; alone it is empty.") +
+          (library.has_single_precision ? "s of both precisions" : "") + "; included directly, it is empty.") +
       "#ifdef " + kIncluded + "\n"};
   for (const std::string& group : library.groups) parts.push_back(definitions(api, group));
   if (library.has_robot()) parts.push_back(robot_type(api));

@@ -26,11 +26,10 @@ std::string counts(const symbolic::OperationCount& c) {
   append(c.div, "div");
   append(c.sqrt, "sqrt");
   append(c.sincos, "sincos");
-  append(c.moves, "to and from lanes");
+  append(c.moves, "lane moves");
   if (c.instructions == 0) return result + ".";
-  return result + ": " + std::to_string(c.instructions) +
-         " instructions when products are fused into sums; critical path " + std::to_string(c.critical_path) +
-         " cycles.";
+  return result + ": " + std::to_string(c.instructions) + " instructions with fused multiply-add; critical path " +
+         std::to_string(c.critical_path) + " cycles.";
 }
 
 std::string counts(const symbolic::Program& program) {
@@ -110,7 +109,8 @@ std::string summary(const Callable& callable) {
   if (!function.method.empty()) result += comment(function.method);
   // The rounding error of a transform, which is only a few products, is of no interest.
   if (function.error && function.group != "transforms")
-    result += comment("Rounding errors: " + symbolic::print(*function.error) + ", in units of one rounding.");
+    result += comment(
+        "Rounding errors: " + symbolic::print(*function.error) + ", in units of the rounding error of one operation.");
   return result;
 }
 
@@ -229,12 +229,12 @@ bool has_own_lanes(const Function& function) {
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
   const symbolic::AngleParts& parts = *callable.function->parts;
-  std::string text = comment("core::" + callable.kernel + ", with sines and cosines computed from the positions.") +
+  std::string text = comment("Computes sines and cosines of the positions, then calls core::" + callable.kernel + ".") +
                      comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
   if (const int sums = symbolic::count(parts.angles).add; sums > 0)
-    text += comment("Additions that compute angles: " + std::to_string(sums) + ".");
+    text += comment("Additions for sums of angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // The arrays are stored as vectors and read one by one: a load from a vector across two cache lines would stall.
@@ -267,11 +267,12 @@ std::string print_solutions(const std::vector<const Callable*>& callables) {
     const auto& limbs = c->function->solved->limbs;
     names.push_back(solution.name);
     texts.push_back(
-        comment("One column of the solutions of " + c->name + ".") + comment(counts(solution)) +
+        comment("Solves for one column of the results of " + c->name + ".") + comment(counts(solution)) +
         definition(lower(solution, solution.name)));
     if (!limbs) continue;
     texts.push_back(
-        comment("A column of each limb: `own` and `b` are those of the limb of the lane, `is_limb` is 1 there.") +
+        comment("Solves for one column per limb, one limb per lane: `own` and `b` are those of the lane's limb, and "
+                "`is_limb` is 1 for this limb.") +
         comment(counts(limbs->solution)) + definition(lower(limbs->solution, limbs->solution.name)));
   }
   return paragraphs(texts);
@@ -316,8 +317,8 @@ std::string print_joint_trigonometry(const Library& library) {
   list.push_back({"cos_q", true, library.trigonometry->angle_count > 0});
   const std::string body = sines_and_cosines(library, turning, angles, "robcogen") + rest;
   return comment(
-             "Sines and cosines of all angles: of the joints, then of sums. Of joints that slide they are those of "
-             "zero.") +
+             "Sines and cosines of all angles: of the joints, then of sums of joint angles. For prismatic joints they "
+             "are sin(0) and cos(0).") +
          signature("void joint_trigonometry", list, body.empty() ? " noexcept {}" : " noexcept {") +
          (body.empty() ? "" : body + "}\n");
 }
@@ -335,19 +336,19 @@ std::string conventions(const Library& library) {
 std::string legend(const std::string& group) {
   if (is_kinematics(group) || group == kParameters || group == kTrigonometry) return "";
   const std::string text = comment(
-      "Names are link, quantity and axis: w, wd angular velocity and acceleration; v velocity; a "
-      "acceleration of the link's origin minus gravity; f, n force and moment; h, S first and second "
-      "moments of mass; A, B, M blocks of an articulated inertia; U of [wd]x + [w]x [w]x. _P: in the "
-      "parent's axes; _neg: minus that; _by_J: turned by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, "
-      "cosine of twice its angle; x_to_y: the sum that makes x, up to its term in y.");
+      "Names consist of link, quantity and axis. w, wd: angular velocity and acceleration; v: velocity; a: "
+      "acceleration of the link's origin minus gravity; f, n: force and moment; h, S: first and second moments of "
+      "mass; A, B, M: blocks of an articulated inertia; U: elements of [wd]x + [w]x [w]x. _P: in the parent's axes; "
+      "_neg: negated; _by_J: rotated by joint J; s2_J, sc_J, c_2J: sin^2, sin cos, cosine of twice its angle; x_to_y: "
+      "partial sum of x, up to its term in y.");
   return "//\n" + text;
 }
 
 // One function that makes all three updates.
 std::string whole_update(const Api& api) {
   std::string result =
-      "// The whole cache, from values in the order of kParameterNames, for scalar types that Parameters does not "
-      "support.\n"
+      "// Computes the whole cache from values in the order of kParameterNames. For scalar types that Parameters does "
+      "not\n// support.\n"
       "template <class Scalar>\nvoid update(const Scalar* parameters, Scalar* cache) noexcept {\n";
   const std::vector<CachePart> parts = cache_parts(*api.library);
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -362,9 +363,10 @@ std::string whole_update(const Api& api) {
 
 std::string print_kernels(const Api& api, const std::string& group, const std::string& path) {
   if (group == kParameters && !api.is_parametric())
-    return paragraphs({banner(*api.library, path, "no kernels, as it has no parameters"), "#pragma once\n"});
+    return paragraphs(
+        {banner(*api.library, path, "no kernels, because the robot has no parameters"), "#pragma once\n"});
   if (group == kTrigonometry && !api.takes_sines())
-    return paragraphs({banner(*api.library, path, "no kernels of sines and cosines"), "#pragma once\n"});
+    return paragraphs({banner(*api.library, path, "no kernels for sines and cosines"), "#pragma once\n"});
   const std::vector<const Callable*> callables = kernels_of(api, group);
   const bool has_lanes = std::any_of(
       callables.begin(), callables.end(), [](const Callable* c) { return c->function->in_lanes.has_value(); });
@@ -382,7 +384,8 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
   if (solves) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
-  const std::string remark = "// Kernels that take precomputed sin(q) and cos(q), of all angles.\n";
+  const std::string remark =
+      "// Kernels that take precomputed sin(q) and cos(q), in the layout of joint_trigonometry.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));
   return paragraphs(
       {banner(*api.library, path, "kernels for any scalar type, without Eigen") + comment(conventions(*api.library)) +

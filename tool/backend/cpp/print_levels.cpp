@@ -108,8 +108,8 @@ std::string choice(const Api& api, const std::string& group) {
   const std::string function = "void " + group + "(robcogen::Level most) noexcept {\n" + body + "}\n";
   return paragraphs(
       {in_namespace("levels", function),
-       "namespace {\n\n// Before objects of static storage duration are constructed, whose constructors may call "
-       "kernels.\n"
+       "namespace {\n\n// Runs before objects of static storage duration are constructed, because their constructors "
+       "may call kernels.\n"
        "[[gnu::constructor(101)]] void choose_" +
            group + "() noexcept {\n  __builtin_cpu_init();\n  levels::" + group +
            "(robcogen::Level::avx512);\n}\n\n}  // namespace\n"});
@@ -139,8 +139,8 @@ std::string chosen_kernels(const Api& api, const std::string& group) {
     return forwarder(k, gains(k) ? "chosen" : "baseline");
   });
   const std::string own = paragraphs(
-      {"namespace baseline = " + baseline_of(api) + ";\n", "// Those in use.\n" + in_namespace("chosen", pointers),
-       paragraphs(setters)});
+      {"namespace baseline = " + baseline_of(api) + ";\n",
+       "// The kernels in use.\n" + in_namespace("chosen", pointers), paragraphs(setters)});
   return in_namespace(
       api.space + "::kernel",
       paragraphs({declarations, "namespace {\n\n" + own + "\n}  // namespace\n", forwarders, choice(api, group)}));
@@ -165,7 +165,8 @@ std::string print_choice(const Api& api, const std::string& group, const std::st
       in_namespace(api.space + "::kernel::levels", "void " + group + "(robcogen::Level) noexcept {}\n");
   return paragraphs(
       {banner(
-           *api.library, path, "kernels compiled for " + api.scalars_in_words() + ", and the choice of a processor's"),
+           *api.library, path,
+           "kernels compiled for " + api.scalars_in_words() + ", and their selection for the processor"),
        includes_of_kernels(api, {"\"" + kernels_path(name) + "\""}), "#if ROBCOGEN_CHOOSES_LEVEL\n",
        own_kernels(api, {group}), chosen_kernels(api, group), "#else  // ROBCOGEN_CHOOSES_LEVEL\n",
        includes({"\"" + kernel_path(name, group) + "\""}), nothing_to_choose, "#endif  // ROBCOGEN_CHOOSES_LEVEL\n",
@@ -185,7 +186,7 @@ std::string print_level(const Api& api, const std::string& level, const std::str
   const std::string forwarders =
       in_their_namespaces(kernels, [&](const CompiledKernel& k) { return forwarder(k, baseline_of(api)); });
   return paragraphs(
-      {banner(*api.library, path, "kernels for one processor"), includes_of_kernels(api, {}), guard,
+      {banner(*api.library, path, "kernels for one processor level"), includes_of_kernels(api, {}), guard,
        own_kernels(api, groups), in_namespace(api.space + "::kernel::" + level, paragraphs({forwarders, instantiated})),
        "#endif\n"});
 }
@@ -197,9 +198,9 @@ std::string use_level(const Api& api) {
     calls += "  kernel::levels::" + group + "(most);\n";
   }
   const std::string remark = comment(
-      "Uses the kernels for this processor level, or those for the best one that the machine has and the library is "
-      "compiled for, where that is lower; a program starts with the best. Results of levels differ by rounding. Not "
-      "while another thread calls a function of the robot.");
+      "Selects the kernels for this processor level, or for the highest one that the machine has and the library is "
+      "compiled for, if that is lower. A program starts with the highest one. Results of levels differ by rounding. Do "
+      "not call this while another thread calls a function of the robot.");
   const std::string function =
       "inline void use_level([[maybe_unused]] robcogen::Level most) noexcept {\n" + calls + "}\n";
   return paragraphs({in_namespace("kernel::levels", declarations), in_namespace("reflection", remark + function)});

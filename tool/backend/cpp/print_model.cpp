@@ -65,14 +65,15 @@ std::string sizes(const Library& library) {
       library.coupled.empty() ? "" : constant(std::string("int ") + kCoupledCount, count(library.coupled.size()));
   std::string positions;
   if (library.has_own_positions())
-    positions = constant("int kPositions", count(library.positions.size()), "elements of q; kDof are those of qd");
+    positions = constant("int kPositions", count(library.positions.size()), "elements of q; qd has kDof elements");
   const std::string result = constant("int kDof", count(library.joints.size())) + positions + coupled +
                              constant("int kLinkCount", count(library.links.size())) +
                              constant("int kFrameCount", count(library.frames.size())) +
                              constant("bool kFloatingBase", library.floating_base ? "true" : "false");
   // With parameters, the mass is not constant.
   if (!library.numbers.empty()) return result;
-  return result + constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links but a fixed base");
+  return result +
+         constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links except a fixed base");
 }
 
 std::string limit(double value) {
@@ -119,15 +120,15 @@ std::string enumerations(const Api& api) {
   return paragraphs(
       {(api.positions.empty() ? "// In the order of joint vectors.\n"
         : api.library->has_spherical_joints()
-            ? "// In the order of joint vectors, but for positions: spherical joints have three.\n"
-            : "// In the order of joint vectors, but for positions.\n") +
+            ? "// In the order of joint vectors, except positions. A spherical joint has three elements.\n"
+            : "// In the order of joint vectors, except positions.\n") +
            enumeration("Joint", api.joints),
        api.positions.empty() ? ""
                              : comment("In the order of positions: " + meaning_of_positions(*api.library) + ".") +
                                    enumeration("Position", api.positions),
-       is_coupled
-           ? "// Joints that follow those: no elements of joint vectors.\n" + enumeration("CoupledJoint", api.coupled)
-           : "",
+       is_coupled ? "// Joints that follow the others. Joint vectors have no elements for them.\n" +
+                        enumeration("CoupledJoint", api.coupled)
+                  : "",
        "// The base first.\n" + enumeration("Link", api.links), frames, index_function("Joint", "joint"),
        api.positions.empty() ? "" : index_function("Position", "position"),
        is_coupled ? index_function("CoupledJoint", "joint") : "", index_function("Link", "link"), index_of_frame});
@@ -157,7 +158,7 @@ std::vector<std::string> tables_of_joints(
           array("robcogen::JointLimits", size, prefix + "Limits", all_limits, enumerators),
       api.library->has_drives() ? array("robcogen::JointDrive", size, prefix + "Drives", drives(joints), enumerators)
                                 : "",
-      api.library->has_pitches() ? "// Of helical joints: m a radian; of others zero.\n" +
+      api.library->has_pitches() ? "// m/rad; zero for joints that are not helical.\n" +
                                        array("double", size, prefix + "Pitches", pitches, enumerators)
                                  : ""};
 }
@@ -176,8 +177,10 @@ std::string coupling_tables(const Api& api) {
     offsets.push_back(model_number(coupled.offset));
   }
   return paragraphs(
-      {"// The position of a coupled joint is its offset plus the sum of factor times position of the joints.\n" +
-           std::string(has_others ? "// Not numbers: it follows through a loop, by joint_positions.\n" : "") +
+      {"// The position of a coupled joint is its offset plus the sum over the joints of factor times position.\n" +
+           std::string(
+               has_others ? "// NaN for a joint that follows through a loop: joint_positions computes its position.\n"
+                          : "") +
            array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
        array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
 }
@@ -249,7 +252,7 @@ std::string limb_tables(const Api& api) {
       {"// Instances of parts, in the order of the document.\n" + enumeration("Limb", api.limbs),
        index_function("Limb", "limb"),
        remarked_list("inline constexpr robcogen::LimbElement kLimbElements[]", elements, remarks),
-       "// The same by index: their links, their joints by places in joint vectors, their frames.\n"
+       "// The limbs by index: their links, their joints (indices in joint vectors), their frames.\n"
        "inline constexpr std::array<robcogen::Limb, " +
            std::to_string(limbs.size()) + "> limbs = {\n" + rows + "};\n"});
 }

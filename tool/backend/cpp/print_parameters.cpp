@@ -47,7 +47,7 @@ std::string interface_type(const Api& api, const Kind& kind) {
   for_each_of(*api.library, kind, [&](std::size_t i) {
     getters += "  virtual double " + api.getters[i] + "() const noexcept = 0;\n";
   });
-  return comment(kind.what + " Implement this where the values come from.") + "class " + name + " {\n public:\n" +
+  return comment(kind.what + " Implement this interface to supply the values.") + "class " + name + " {\n public:\n" +
          "  virtual ~" + name + "() = default;\n" + (getters.empty() ? "" : "\n" + getters) + "};\n";
 }
 
@@ -102,7 +102,7 @@ std::string array_type(const Api& api) {
     const std::string& subject = kKinds[p.is_dynamics ? 1 : 0].subject;
     remarks.push_back(is_shared(p) ? kKinds[0].subject + " and " + subject : subject);
   }
-  return "// Values of all parameters in this order, for code that does not know their names.\n"
+  return "// Values of all parameters, in the order of kParameterNames, for code that does not know their names.\n"
          "using ParameterArray = std::array<double, " +
          size + ">;\n\n" +
          remarked_list("inline constexpr std::array<const char*, " + size + "> kParameterNames", names, remarks);
@@ -114,7 +114,7 @@ std::string all_values_type(const Api& api) {
   std::string getters;
   for (std::size_t i = 0; i < library.parameters.size(); ++i)
     if (is_shared(library.parameters[i])) getters += getter(api, i);
-  return "// Values of all parameters, at first as declared; one without default is not a number until it is set.\n"
+  return "// Values of all parameters, initially as declared; a parameter without default is NaN until it is set.\n"
          "struct ParameterValues : KinematicsValues, DynamicsValues {" +
          (getters.empty() ? "" : "\n" + getters) + "};\n";
 }
@@ -203,19 +203,20 @@ std::string parameters_type(const Api& api) {
   const int size = cache_size(*api.library);
   const std::vector<std::string> parts = {
       constructors(api),
-      "  // All values anew.\n" + shared_remark(api) + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +
+      "  // Updates all values.\n" + shared_remark(api) + update(api, {kKinds[0], kKinds[1]}, {0, 1, 2}) +
           "  void update(const ParameterValues& values) noexcept { update(values, values); }\n" +
           "  void update(const ParameterArray& values) noexcept {\n    values_ = values;\n" + compute(api, {0, 1, 2}) +
           "  }\n",
-      "  // Those of one interface anew; the others stay.\n" + last_remark(api) + update(api, {kKinds[0]}, {0, 2}) +
-          update(api, {kKinds[1]}, {1, 2}),
+      "  // Updates the values of one interface and keeps the others.\n" + last_remark(api) +
+          update(api, {kKinds[0]}, {0, 2}) + update(api, {kKinds[1]}, {1, 2}),
       values_function(api),
-      "  // The cache, as kernels take it.\n  const Scalar* data() const noexcept { return cache_.data(); }\n"
+      "  // The cache, in the layout that kernels take.\n"
+      "  const Scalar* data() const noexcept { return cache_.data(); }\n"
       "  static constexpr std::size_t size() noexcept { return " +
           std::to_string(size) + "; }\n"};
   const std::string privates =
       " private:\n"
-      "  // In double precision whatever Scalar is, and rounded once.\n"
+      "  // Computes in double precision for any Scalar, and rounds once.\n"
       "  template <int kBegin, int kEnd>\n"
       "  void compute(void (*kernel)(const double* values, double* part) noexcept) noexcept {\n"
       "    std::array<double, kEnd - kBegin> part;\n"
@@ -227,12 +228,13 @@ std::string parameters_type(const Api& api) {
       "> values_;\n"
       "  std::array<Scalar, " +
       std::to_string(size) + "> cache_;\n";
-  return "// The parameters as the functions of the robot read them, with all values that depend on them alone, "
-         "computed when they\n// change.\n"
+  return "// The parameters of the functions of the robot, with all values that depend only on parameters. These "
+         "values are\n"
+         "// computed when the parameters change.\n"
          "//\n"
          "// Functions only read it, so any number of threads may share one object, as long as none updates it. To "
          "change\n"
-         "// values meanwhile, update a copy and pass that on.\n"
+         "// values in the meantime, update a copy and pass the copy on.\n"
          "template <class Scalar = double>\nclass Parameters {\n public:\n" +
          paragraphs(parts) + "\n" + privates + "};\n";
 }
@@ -243,7 +245,7 @@ std::string print_parameters(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   const std::string head = banner(library, path, "values of its parameters");
   if (!api.is_parametric())
-    return paragraphs({head + "// The robot has none: all its quantities are constants.\n", "#pragma once\n"});
+    return paragraphs({head + "// The robot has no parameters: all its quantities are constants.\n", "#pragma once\n"});
   std::vector<std::string> parts;
   for (const Kind& kind : kKinds) parts.push_back(interface_type(api, kind));
   parts.push_back(shared_values_type(api));

@@ -331,7 +331,7 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
   const auto boolean = [](bool value) { return std::string(value ? "true" : "false"); };
   std::vector<LastField> fields = {
       {rare.parameters.reference, "parameters", kNoTable},
-      {numbers(0), "numbers for their values", "nullptr"},
+      {numbers(0), "numbers of the model", "nullptr"},
       {boolean(api.is_parametric() && library.has_drives()), "numbers of drives", "false"},
       {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
       {numbers(1), "numbers of couplings", "nullptr"},
@@ -380,7 +380,7 @@ std::string print_reflection(const Api& api, const std::string& path) {
     const Table t = batch_functions(api);
     parts.insert(parts.end(), {"using robcogen::reflection::kFlatBatch;\n", t.definition});
     parts.push_back(
-        comment("Apart from `robot`: a program that does not use this table links none of these functions.") +
+        comment("Separate from `robot`: a program that does not use this table links none of these functions.") +
         "inline constexpr robcogen::reflection::BatchFunctions batch_functions = " + t.reference + ";\n");
   }
   std::vector<std::string> headers = {"\"robcogen/reflection.h\"", "\"robcogen/version.h\""};

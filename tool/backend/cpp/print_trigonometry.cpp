@@ -34,14 +34,15 @@ std::string class_of(const Api& api) {
            array + ".data()); }\n";
   };
   const std::vector<std::string> parts = {
-      "  // All at once.\n" + constructor(api, "explicit ", {vector("q")}, "joint_trigonometry", {"q"}),
-      "  // From those of each joint. What joints that slide have is not read.\n" +
+      "  // Computes all sines and cosines.\n" +
+          constructor(api, "explicit ", {vector("q")}, "joint_trigonometry", {"q"}),
+      "  // Takes the sine and cosine of each joint. Elements of prismatic joints are not read.\n" +
           constructor(
               api, "", {vector("q"), vector("sin_q"), vector("cos_q")}, api.trigonometry.front().kernel,
               {"sin_q", "cos_q"}),
       "  const JointVector<Scalar>& q() const noexcept { return q_; }\n" + getter("sin_q", "sin_") +
           getter("cos_q", "cos_"),
-      "  // As kernels take them: of the joints, then of sums that functions read besides.\n"
+      "  // In the layout that kernels take: of the joints, then of sums of joint angles.\n"
       "  const Scalar* sin_data() const noexcept { return sin_.data(); }\n"
       "  const Scalar* cos_data() const noexcept { return cos_.data(); }\n"};
   return "template <class Scalar>\nclass Basic" + type + " {\n public:\n" + paragraphs(parts) +
@@ -54,10 +55,10 @@ std::string class_of(const Api& api) {
 std::string trigonometry_type(const Api& api) {
   if (!api.takes_sines()) return "";
   const std::string stale =
-      api.is_parametric() ? " It holds for these parameters: when they change, make another." : "";
+      api.is_parametric() ? " It depends on the parameters: construct another one when they change." : "";
   return comment(
-             "Joint positions (rad, m) with sines and cosines, which every function of q takes in the place of q: made "
-             "once in a state, it serves all functions." +
+             "Joint positions (rad, m) with their sines and cosines. Every function of q also takes this in place of "
+             "q: computed once per state, it serves all functions." +
              stale) +
          class_of(api);
 }

@@ -138,17 +138,17 @@ std::string print_types(const Api& api, const std::string& path) {
     return paragraphs({aliases(api, scalar), aliases_of_classes(api, scalar)});
   };
   const std::string body = paragraphs(
-      {"// One value a joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
+      {"// One value per joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
        "Eigen::Matrix<Scalar, kDof, 1>;\n",
        library.has_own_positions()
            ? comment(
                  "Positions, in the order of Position." +
                  std::string(
                      library.has_spherical_joints()
-                         ? " Quaternions must be of unit length: rounding is harmless, and robcogen/positions.h keeps "
-                           "them so. Nothing checks it."
+                         ? " Quaternions must be of unit length, which is not checked: rounding errors are harmless, "
+                           "and robcogen/positions.h normalises quaternions."
                          : "") +
-                 (library.followers.empty() ? "" : " The last ones follow through loops: close_loops finds them.")) +
+                 (library.followers.empty() ? "" : " The last ones follow through loops: close_loops computes them.")) +
                  "template <class Scalar>\nusing PositionVector = Eigen::Matrix<Scalar, kPositions, 1>;\n"
            : "",
        trigonometry, factor, structures(api), both("double"), in_single_precision(library, both("float"))});

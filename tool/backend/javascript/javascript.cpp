@@ -266,7 +266,7 @@ std::string print_parameters(const Library& library) {
   std::vector<std::string> initial;
   for (std::size_t i = 0; i < names.size(); ++i)
     initial.push_back(names[i] + ": " + number(library.parameters[i].default_value));
-  return "\n/** Values of the parameters as the document declares them; NaN where one has no value. */\n"
+  return "\n/** Values of the parameters as the document declares them; NaN for a parameter without a value. */\n"
          "export function parameters() {\n" +
          wrapped("  return {", initial, " };") + "}\n" + kParameterChecks;
 }

@@ -16,8 +16,8 @@ using symbolic::Role;
 std::string meaning_of(Role role) {
   switch (role) {
     case Role::link_wrenches:
-      return "wrench on each link (N m, N), a column a link, base first: about the link's origin in link coordinates, "
-             "moment first";
+      return "wrench on each link (N m, N), one column per link, base first: about the link's origin in link "
+             "coordinates, moment first";
     case Role::inertia_factor:
       return "factor of the inertia matrix H = L' * L";
     case Role::parameters:

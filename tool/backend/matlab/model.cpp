@@ -152,37 +152,39 @@ std::string print_model(const Library& library) {
       "the joint frame in the frame of the parent link: translation, then rotation about the axes x, y', z''.");
   if (library.has_drives())
     text += comment(
-        "  joints also have drives: damping, friction and the velocity below which it falls to zero, armature, "
-        "stiffness and rest of a spring, and of a rotor its inertia, ratio, axis and rotor_carrier, a link, 0 without "
-        "rotor.");
+        "  joints also have drives: damping; friction, and the velocity below which it falls to zero; armature; "
+        "stiffness and rest position of a spring; inertia, ratio and axis of a rotor, and rotor_carrier, a link (0 "
+        "without rotor).");
   if (library.has_spherical_joints())
     text += comment(
-        "  positions: the elements of q. Of a spherical joint a unit quaternion, scalar part first; in joints it has "
-        "three components, is_spherical, its angular velocities about the axes of the child. Factors of couplings "
-        "multiply q without the scalar parts.");
+        "  positions: the elements of q. A spherical joint has a unit quaternion, scalar part first; in joints it has "
+        "three components, with is_spherical set, for its angular velocities about the axes of the child. Factors of "
+        "couplings multiply q without the scalar parts.");
   if (!library.followers.empty())
     text += comment(
-        "  positions: the elements of q. Behind those of joints are those of coupled joints that follow through loops, "
-        "which close_loops finds.");
+        "  positions: the elements of q. The positions of joints come first, then those of coupled joints that follow "
+        "through loops, which close_loops computes.");
   if (library.has_pitches())
-    text += comment("  joints also have is_helical, and the pitch of those that are, m a radian; 0 of others.");
+    text += comment("  joints also have is_helical and pitch, in m/rad; 0 for joints that are not helical.");
   text += comment(
       "  links: parent_joint, mass, com, and inertia about the origin of the link frame: moments xx, yy, zz, then "
       "products xy, xz, yz of positive sign.");
   text += comment("  frames: frame_link, the link that it moves with, and its placement in the frame of this link.");
   if (!library.limbs.empty())
     text += comment(
-        "  limbs: a struct for each instance of a part in the document: its name, its part and first_link, and of its "
-        "links, joints (rows of q) and frames the indices, and the names in the part, as in link_names.");
+        "  limbs: a struct for each instance of a part in the document: its name, its part and first_link, and the "
+        "indices of its links, joints (rows of q) and frames, with their names in the part in fields such as "
+        "link_names.");
   if (!library.coupled.empty())
     text += comment(
-        "  coupled_joints: the same of joints that follow the others, counted behind them; their positions are "
-        "coupling_factors * q + coupling_offsets.");
+        "  coupled_joints: the same for joints that follow the others, with indices after those of joints; their "
+        "positions are coupling_factors * q + coupling_offsets.");
   if (has_closures(library))
-    text += comment("  Those that follow through a loop have NaN there; joint_positions gives their positions.");
+    text += comment("  Joints that follow through a loop have NaN there; joint_positions computes their positions.");
   if (!library.parameters.empty())
-    text +=
-        comment("  Numbers that depend on parameters are those of the declared values; NaN where a value is missing.");
+    text += comment(
+        "  Numbers that depend on parameters are computed from the declared values; they are NaN if a value is "
+        "missing.");
   text += "\n" + origin(library) + "\n";
   text += "  model.name = " + quoted(library.robot) + ";\n";
   text += "  model.dof = " + std::to_string(library.joints.size()) + ";\n";
@@ -200,7 +202,7 @@ std::string print_model(const Library& library) {
 std::string print_parameters(const Library& library) {
   std::string text = "function parameters = parameters()\n";
   text += comment("PARAMETERS  Values of the parameters as the document declares them.");
-  text += comment("  A parameter without a value is NaN: give it one before any function takes the struct.");
+  text += comment("  A parameter without a value is NaN: set it before you pass the struct to a function.");
   text += "\n" + origin(library) + "\n";
   const std::vector<std::string> members = fields(library.parameter_names());
   for (std::size_t i = 0; i < members.size(); ++i)

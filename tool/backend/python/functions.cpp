@@ -179,7 +179,7 @@ std::vector<std::string> documentation_of(const Function& f) {
   }
   for (const Array& a : f.results) lines.push_back("returns " + a.name + ": " + shape(a));
   if (const std::string remark = remark_on_positions(function.program); !remark.empty()) lines.push_back(remark);
-  lines.emplace_back("Many states: one more dimension in front.");
+  lines.emplace_back("For many states, arrays have one more dimension in front.");
   return lines;
 }
 

@@ -71,7 +71,7 @@ function listed(pairs) {
 
 export function showLink(robot, posture, selected, container) {
   if (selected < 0) {
-    const hint = "Click a link, in the picture or in the list, for its numbers.";
+    const hint = "Click a link in the picture or in the list to see its numbers.";
     container.replaceChildren(element("p", { className: "hint" }, hint));
     return;
   }
@@ -86,8 +86,8 @@ export function showLink(robot, posture, selected, container) {
     pairs.push(["mass", "none"]);
   }
   if (all.centre && robot.children[selected].length) {
-    pairs.push(["with what it carries", `${digits(all.mass)} kg`]);
-    pairs.push(["its centre, in the base", `${three(all.centre)} m`]);
+    pairs.push(["mass of the subtree", `${digits(all.mass)} kg`]);
+    pairs.push(["its centre of mass, in the base", `${three(all.centre)} m`]);
   }
   pairs.push(["origin, in the base", `${three(origin(posture.poses[selected]))} m`]);
   if (j >= 0) {
@@ -96,7 +96,7 @@ export function showLink(robot, posture, selected, container) {
     if (!isBall) pairs.push(["axis, in the base", three(jointAxis(robot, posture, j))]);
     if (joint.type === "helical") pairs.push(["pitch", `${digits(joint.pitch)} m/rad`]);
     const position = isBall ? three(posture.positions.slice(j, j + 3)) : digits(posture.positions[j]);
-    pairs.push([isBall ? "turned by" : "position", `${position} ${unitOf(joint)}`]);
+    pairs.push([isBall ? "rotation vector" : "position", `${position} ${unitOf(joint)}`]);
     const isFree = joint.lower === -Infinity && joint.upper === Infinity;
     pairs.push(["limits", isFree ? "none" : `${digits(joint.lower)} … ${digits(joint.upper)} ${unitOf(joint)}`]);
   }
