@@ -68,8 +68,7 @@ class DriveDescriber {
   // A joint may turn more than once, but beyond a few turns the angle is probably in degrees, except for a screw.
   void check_angle(const language::Expression& expression, const model::Quantity& position) {
     constexpr double kTurns = 4.0;
-    if (described_.type == model::JointType::revolute && position.is_constant())
-      reader_.check_angle(expression, position.number(), kTurns);
+    if (described_.type == model::JointType::revolute) reader_.check_angle(expression, position, kTurns);
   }
 
   void read(const ExpressionPtr& expression, model::Quantity& value, Place& place) {

@@ -171,8 +171,8 @@ void NameUses::report_similar(const std::string& text, const Name& name, Diagnos
 }
 
 const std::vector<std::string>& accident_codes() {
-  static const std::vector<std::string> codes = {
-      "unit-as-name", "constant-as-name", "number-runs-into-name", "similar-name", "large-angle"};
+  static const std::vector<std::string> codes = {"unit-as-name", "constant-as-name", "number-runs-into-name",
+                                                 "similar-name", "large-angle",      "product-after-division"};
   return codes;
 }
 

@@ -42,6 +42,12 @@ double trial_value(double scale, std::size_t parameter) {
   return scale * (1.0 + 0.37 * static_cast<double>(parameter));
 }
 
+// Whether a default value of a parameter is part of the expression.
+bool gives_default(const Expression& expression) {
+  const auto operand_does = [](const language::ExpressionPtr& operand) { return operand && gives_default(*operand); };
+  return expression.default_value || operand_does(expression.left) || operand_does(expression.right);
+}
+
 }  // namespace
 
 void QuantityReader::declare_group(const language::ParameterGroup& group) {
@@ -72,7 +78,8 @@ void QuantityReader::declare_names_in(const Expression& expression) {
     return;
   }
   if (expression.default_value) with_default_.insert(expression.name);
-  if (expression.is_parameter) parameters_by_spelling_.insert({expression.name, place(expression)});
+  if (expression.is_parameter || (expression.default_value && plain_name_ == PlainName::variable))
+    parameters_by_spelling_.insert({expression.name, place(expression)});
   if (expression.left) declare_names_in(*expression.left);
   if (expression.right) declare_names_in(*expression.right);
 }
@@ -91,7 +98,7 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   const int faults_before = faults_;
   const Quantity result = finite(expression, kind);
   if (faults_ > faults_before) return result;
-  if (kind == ParameterKind::angle && result.is_constant()) check_angle(expression, result.number());
+  if (kind == ParameterKind::angle) check_angle(expression, result);
   const double least = least_magnitude(result);
   if (least < kZero && result.is_constant()) return Quantity();
   if (least < kTooLarge) return result;
@@ -103,15 +110,17 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
   return fault(diagnostics_.error("too-large", place(expression), too_large(what)));
 }
 
-void QuantityReader::check_angle(const Expression& expression, const Number& angle, double turns) {
+void QuantityReader::check_angle(const Expression& expression, const Quantity& angle, double turns) {
+  // Several expressions may use a default value: one of them gives it.
+  if (!angle.is_constant() && !gives_default(expression)) return;
+  const std::optional<double> value = value_at_defaults(angle, parameters_, variables_.size());
   // A multiple of PI is intentional, and so is 6.2832, a full turn.
   constexpr double kTurn = 6.2833;
-  const double size = std::abs(angle.value());
-  if (angle.is_pi_multiple() || size < turns * kTurn || size > kTooLarge) return;
+  if (!value || (angle.is_constant() && angle.number().is_pi_multiple())) return;
+  if (!(std::abs(*value) >= turns * kTurn && std::abs(*value) <= kTooLarge)) return;
   const std::string most = turns > 1.0 ? fmt::format("{} turns", turns) : "a turn";
   diagnostics_
-      .warning(
-          "large-angle", place(expression), fmt::format("{} rad is more than {}", print_double(angle.value()), most))
+      .warning("large-angle", place(expression), fmt::format("{} rad is more than {}", print_double(*value), most))
       .hint = "angles are in rad; one degree is 'PI/180.0'";
 }
 
@@ -147,6 +156,11 @@ Quantity QuantityReader::fault(const Diagnostic&) {
 Quantity QuantityReader::operate(const Expression& expression, ParameterKind kind) {
   const auto left = [&] { return finite(*expression.left, kind); };
   const auto right = [&] { return finite(*expression.right, kind); };
+  const auto angle = [&] {
+    const Quantity result = left();
+    check_angle(*expression.left, result);
+    return result;
+  };
   switch (expression.kind) {
     case Expression::Kind::number:
       return Quantity(expression.number);
@@ -181,11 +195,11 @@ Quantity QuantityReader::operate(const Expression& expression, ParameterKind kin
       return fault(diagnostics_.error("not-finite", place(expression), "division by zero"));
     }
     case Expression::Kind::sine:
-      return sin(left());
+      return sin(angle());
     case Expression::Kind::cosine:
-      return cos(left());
+      return cos(angle());
     case Expression::Kind::tangent:
-      return tan(left());
+      return tan(angle());
     case Expression::Kind::square_root:
       return sqrt(left());
   }
@@ -228,7 +242,7 @@ Quantity QuantityReader::variable(const Expression& expression) {
     diagnostics_
         .error(
             "variable-and-parameter", place(expression),
-            fmt::format("'{0}' is a variable here, but 'p:{0}' is a parameter", expression.name))
+            fmt::format("'{0}' is a variable here, but 'p:{0}' or '{0}[…]' is a parameter elsewhere", expression.name))
         .notes.push_back({parameter->second, "the parameter is here"});
   }
   uses_.use(expression, "variable", place(expression));
@@ -281,6 +295,7 @@ void QuantityReader::join_kind(int index, ParameterKind kind, const Place& place
 }
 
 void QuantityReader::set_default(Parameter& parameter, double value, const Place& place) {
+  if (std::abs(value) >= kTooLarge) fault(diagnostics_.error("too-large", place, too_large(print_double(value))));
   if (parameter.default_value.value_or(value) != value) {
     diagnostics_
         .error(

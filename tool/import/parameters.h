@@ -53,10 +53,12 @@ class QuantityReader {
 
   // First the parameters of groups, as declared; then the others in the order of their first use.
   const std::vector<model::Parameter>& parameters() const { return parameters_; }
-  // Warns about an angle (rad) of more than this many turns, unless it is a multiple of PI.
-  void check_angle(const language::Expression& expression, const Number& angle, double turns = 1.0);
   // In the order of their first use.
   const std::vector<std::string>& variables() const { return variables_; }
+
+  // Warns about an angle (rad) of more than this many turns, unless it is a multiple of PI. Parameters have the default
+  // values that the expression gives them.
+  void check_angle(const language::Expression& expression, const model::Quantity& angle, double turns = 1.0);
 
  private:
   model::Quantity finite(const language::Expression& expression, model::ParameterKind kind);
@@ -100,7 +102,7 @@ class QuantityReader {
   std::set<std::string> grouped_;                        // parameters of groups
   std::set<std::string> with_default_;                   // parameters that have a default value at some use
   std::set<std::string> unused_;                         // grouped parameters that have not been used yet
-  std::map<std::string, Place> parameters_by_spelling_;  // `p:name`
+  std::map<std::string, Place> parameters_by_spelling_;  // `p:name`, or `name[…]` where plain names are variables
   std::map<std::string, int> variable_indices_;
   std::set<std::string> ambiguous_;  // names that were reported as both variables and parameters
 };

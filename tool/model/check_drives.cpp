@@ -7,21 +7,31 @@
 namespace robcogen::model {
 namespace {
 
-void check_not_negative(
-    const DescribedJoint& joint,
-    const char* what,
-    const Quantity& value,
-    const Place& place,
-    Diagnostics& diagnostics) {
-  if (!value.is_constant() || !(value.number().value() < 0.0)) return;
-  diagnostics.error(
-      "negative-drive", place,
-      fmt::format("the {} of joint '{}' is negative: {}", what, joint.name, print_double(value.number().value())));
-}
+// Reports negative values of a joint.
+class SignCheck {
+ public:
+  SignCheck(const DescribedJoint& joint, const std::vector<Parameter>& parameters, Diagnostics& diagnostics)
+      : joint_(joint), parameters_(parameters), diagnostics_(diagnostics) {}
 
-void check_rotor(const DescribedJoint& joint, const Rotor& rotor, Diagnostics& diagnostics) {
+  void operator()(const char* what, const Quantity& quantity, const Place& place) const {
+    const double value = value_at_defaults(quantity, parameters_).value_or(0.0);
+    if (!(value < 0.0)) return;
+    diagnostics_.error(
+        "negative-drive", place,
+        fmt::format(
+            "the {} of joint '{}' is negative{}: {}", what, joint_.name,
+            quantity.is_constant() ? "" : " by the default values of parameters", print_double(value)));
+  }
+
+ private:
+  const DescribedJoint& joint_;
+  const std::vector<Parameter>& parameters_;
+  Diagnostics& diagnostics_;
+};
+
+void check_rotor(const DescribedJoint& joint, const Rotor& rotor, const SignCheck& sign, Diagnostics& diagnostics) {
   const DrivePlaces& places = joint.drive_places;
-  check_not_negative(joint, "inertia of the rotor", rotor.inertia, places.rotor_inertia, diagnostics);
+  sign("inertia of the rotor", rotor.inertia, places.rotor_inertia);
   if (rotor.ratio.is_zero())
     diagnostics.error(
         "rotor-ratio-zero", places.rotor_ratio,
@@ -34,7 +44,7 @@ void check_rotor(const DescribedJoint& joint, const Rotor& rotor, Diagnostics& d
 }
 
 // Checks limits that the document states.
-void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
+void check_limits(const DescribedJoint& joint, const SignCheck& sign, Diagnostics& diagnostics) {
   const JointLimits& limits = joint.limits;
   const DrivePlaces& places = joint.drive_places;
   if (places.position_limits.source && limits.lower > limits.upper)
@@ -43,10 +53,8 @@ void check_limits(const DescribedJoint& joint, Diagnostics& diagnostics) {
         fmt::format(
             "the lower limit {} of joint '{}' is above the upper limit {}", print_double(limits.lower), joint.name,
             print_double(limits.upper)));
-  if (places.velocity_limit.source)
-    check_not_negative(joint, "velocity limit", Quantity(limits.velocity), places.velocity_limit, diagnostics);
-  if (places.effort_limit.source)
-    check_not_negative(joint, "effort limit", Quantity(limits.effort), places.effort_limit, diagnostics);
+  if (places.velocity_limit.source) sign("velocity limit", Quantity(limits.velocity), places.velocity_limit);
+  if (places.effort_limit.source) sign("effort limit", Quantity(limits.effort), places.effort_limit);
 }
 
 // Refuses what needs an axis or a scalar position.
@@ -73,15 +81,15 @@ void check_drives(const Description& description, Diagnostics& diagnostics) {
   for (const DescribedJoint& joint : description.joints) {
     const Drive& drive = joint.drive;
     const DrivePlaces& places = joint.drive_places;
-    check_not_negative(joint, "damping", drive.damping, places.damping, diagnostics);
-    check_not_negative(joint, "friction", drive.friction, places.friction, diagnostics);
-    check_not_negative(
-        joint, "velocity of the friction", drive.friction_velocity, places.friction_velocity, diagnostics);
-    check_not_negative(joint, "armature", drive.armature, places.armature, diagnostics);
-    check_not_negative(joint, "stiffness of the spring", drive.stiffness, places.stiffness, diagnostics);
-    if (drive.rotor) check_rotor(joint, *drive.rotor, diagnostics);
+    const SignCheck sign(joint, description.parameters, diagnostics);
+    sign("damping", drive.damping, places.damping);
+    sign("friction", drive.friction, places.friction);
+    sign("velocity of the friction", drive.friction_velocity, places.friction_velocity);
+    sign("armature", drive.armature, places.armature);
+    sign("stiffness of the spring", drive.stiffness, places.stiffness);
+    if (drive.rotor) check_rotor(joint, *drive.rotor, sign, diagnostics);
     if (joint.type == JointType::spherical) check_spherical(joint, diagnostics);
-    check_limits(joint, diagnostics);
+    check_limits(joint, sign, diagnostics);
   }
 }
 

@@ -70,6 +70,15 @@ class LoopDeclaration {
           .hint = fmt::format("give it a default where it is used, such as '{}[0.35]'", unknown->name);
       return;
     }
+    const double length = value_at_defaults(loop.length, tree_.parameters).value_or(1.0);
+    if (loop.type == LoopType::distance && !(length > 0.0)) {
+      diagnostics_
+          .error(
+              "loop-distance", described.place,
+              fmt::format("the distance of loop '{}' is not positive: {} m", loop.name, print_double(length)))
+          .hint = "for frames whose origins coincide, write 'type = point'";
+      return;
+    }
     tree_.loops.push_back(std::move(loop));
   }
 

@@ -286,15 +286,15 @@ std::optional<std::vector<Closure>> formula_closures(LoopContext& context, const
 
 void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<double>& q) {
   const LoopJoint& loop = context.tree.loops[at(closure.loop())];
-  const double gap = model::close(context.tree, closure, q, context.parameters);
+  const double error = model::close(context.tree, closure, q, context.parameters);
   const LoopPosture now = posture(context.tree, loop, q, context.parameters);
-  if (!(gap <= kClosed * size_of(now))) {
-    PlaneFault fault = open_loop(loop, gap, context.where(joints_of(loop)));
+  const double length = evaluate(loop.length, context.parameters);
+  if (!(error <= kClosed * size_of(now))) {
+    PlaneFault fault = open_loop(loop, gap_of(loop, now, length, error), context.where(joints_of(loop)));
     fault.hint = context.hint_to_close(joints_of(loop));
     context.report(loop, fault);
     return;
   }
-  const double length = evaluate(loop.length, context.parameters);
   if (conditioning(closure, now, error_of(closure, now, length)) < kStretched) {
     context.diagnostics
         .error(

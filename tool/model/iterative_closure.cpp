@@ -88,7 +88,9 @@ class IterativeSearch {
           "loop-cannot-close", fmt::format("{} would close {} with frames half a turn apart", subject(), where()),
           "turn one of the frames by PI");
     if (is_one()) {
-      PlaneFault fault = open_loop(first(), gap, where());
+      const LoopPosture now = posture(context_.tree, first(), q_, context_.parameters);
+      const double length = evaluate(first().length, context_.parameters);
+      PlaneFault fault = open_loop(first(), gap_of(first(), now, length, gap), where());
       const std::string reason = reason_in_space();
       fault.hint = reason.empty() ? context_.hint_to_close(cluster_.joints()) : reason;
       context_.report(first(), fault);
@@ -131,7 +133,7 @@ class IterativeSearch {
               "loop-stretched",
               fmt::format(
                   "{} {} {}, but {} nearby: the motions of {} are undefined", removes(), freedoms(rank), where(),
-                  nearby, context_.quoted(following)),
+                  nearby, following.empty() ? "the joints that follow" : context_.quoted(following)),
               context_.hint_to_assemble(
                   cluster_.joints(), is_one() ? "the loop is not stretched" : "the loops are not stretched"));
           return false;

@@ -119,6 +119,11 @@ PlaneFault find_plane(
   return {};
 }
 
+double gap_of(const LoopJoint& loop, const LoopPosture& posture, double length, double error) {
+  if (loop.type != LoopType::distance) return error;
+  return std::abs(norm(posture.points[0] - posture.points[1]) - length);
+}
+
 PlaneFault open_loop(const LoopJoint& loop, double gap, const std::string& where, const std::string& along) {
   return {
       "loop-cannot-close",

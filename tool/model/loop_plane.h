@@ -25,6 +25,10 @@ PlaneFault find_plane(
     const std::vector<double>& parameters,
     Closure& closure);
 
+// Returns by how much (m) a loop is open that is not closed by `error` (m): a loop that keeps a distance misses it, and
+// its error is half the difference of the squares divided by it.
+double gap_of(const LoopJoint& loop, const LoopPosture& posture, double length, double error);
+
 // Returns the message that a loop does not close. `where` tells in which position; `along` in which direction, or is
 // empty.
 PlaneFault open_loop(

@@ -47,13 +47,17 @@ Matrix central_tensor(const Inertia& i) {
   return tensor;
 }
 
-void check_mass(const DescribedLink& link, Diagnostics& diagnostics) {
+constexpr const char* kByDefault = ", by the default values of parameters";
+
+void check_mass(const DescribedLink& link, const std::vector<Parameter>& parameters, Diagnostics& diagnostics) {
   const Quantity& mass = link.inertia->mass;
-  if (!mass.is_constant()) return;
-  if (mass.number().value() < 0.0) {
+  const double value = value_at_defaults(mass, parameters).value_or(0.0);
+  if (value < 0.0) {
     diagnostics.warning(
         "negative-mass", link.mass_place,
-        fmt::format("the mass of link '{}' is negative: {} kg", link.name, print_double(mass.number().value())));
+        fmt::format(
+            "the mass of link '{}' is negative: {} kg{}", link.name, print_double(value),
+            mass.is_constant() ? "" : kByDefault));
   } else if (mass.is_zero()) {
     diagnostics.warning("zero-mass", link.mass_place, fmt::format("the mass of link '{}' is zero", link.name)).hint =
         "a link without mass needs no inertia: leave it out";
@@ -91,8 +95,25 @@ double reach_of(const DescribedLink& link, const Distances& distances, double fr
   return reach;
 }
 
-void check_moments(const DescribedLink& link, double reach, Diagnostics& diagnostics) {
-  const Inertia& inertia = *link.inertia;
+// Returns the mass properties at the default values of parameters. Those without a default remain.
+Inertia at_defaults(Inertia inertia, const std::vector<Parameter>& parameters) {
+  const auto replace = [&](Quantity& q) {
+    if (q.is_constant()) return;
+    if (const auto value = value_at_defaults(q, parameters)) q = Quantity(*value);
+  };
+  for (Quantity* q :
+       {&inertia.mass, &inertia.ixx, &inertia.iyy, &inertia.izz, &inertia.ixy, &inertia.ixz, &inertia.iyz})
+    replace(*q);
+  for (Quantity& q : inertia.com) replace(q);
+  return inertia;
+}
+
+void check_moments(
+    const DescribedLink& link,
+    double reach,
+    const std::vector<Parameter>& parameters,
+    Diagnostics& diagnostics) {
+  const Inertia inertia = at_defaults(*link.inertia, parameters);
   const double mass = is_constant(inertia) ? evaluate(inertia.mass) : -1.0;
   if (mass < 0.0) return;
   const std::array<double, 3> given = principal_moments(given_tensor(inertia));
@@ -101,7 +122,9 @@ void check_moments(const DescribedLink& link, double reach, Diagnostics& diagnos
   const Verdict verdict = judge(central, noise);
   if (verdict == Verdict::plausible) return;
 
-  const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g} kg m^2", central[0], central[1], central[2]);
+  const std::string moments = fmt::format(
+      "{:.6g}, {:.6g}, {:.6g} kg m^2{}", central[0], central[1], central[2],
+      is_constant(*link.inertia) ? "" : kByDefault);
   Diagnostic& warning =
       verdict == Verdict::not_positive
           ? diagnostics.warning(
@@ -135,9 +158,10 @@ void check_mass_properties(const Description& description, Diagnostics& diagnost
     const DescribedLink& link = described_link(description, i);
     const bool is_used = i > 0 || description.floating_base;
     if (!link.inertia || !is_used) continue;
-    check_mass(link, diagnostics);
+    check_mass(link, description.parameters, diagnostics);
     const auto distance = from_parent.find(link.name);
-    check_moments(link, reach_of(link, distances, distance == from_parent.end() ? 0.0 : distance->second), diagnostics);
+    const double to_parent = distance == from_parent.end() ? 0.0 : distance->second;
+    check_moments(link, reach_of(link, distances, to_parent), description.parameters, diagnostics);
   }
 }
 

@@ -10,11 +10,11 @@ namespace robcogen::model {
 void check_link_ids(const Description& description, Diagnostics& diagnostics);
 
 // Warns, with the numbers, about a negative or zero mass, and about impossible moments of inertia: negative about some
-// axis through the centre of mass, or one larger than the sum of the other two. Properties that depend on parameters
-// are not checked, nor are those of a fixed base, which are never used.
+// axis through the centre of mass, or one larger than the sum of the other two. Parameters have their default values;
+// properties that depend on parameters without one are not checked, nor are those of a fixed base, which are never used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
-// Reports negative drive values and impossible limits. Values that depend on parameters are not checked.
+// Reports negative drive values, by the default values of parameters, and impossible limits.
 void check_drives(const Description& description, Diagnostics& diagnostics);
 
 // Finds every joint (and the floating base) whose motion meets no inertia in any position, so that the joint-space

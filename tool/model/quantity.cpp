@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace robcogen::model {
@@ -181,6 +182,18 @@ double evaluate(const Quantity& q, std::span<const double> parameters, std::span
   }
   assert(false && "unknown operation");
   return 0.0;
+}
+
+std::optional<double> value_at_defaults(
+    const Quantity& q,
+    const std::vector<Parameter>& parameters,
+    std::size_t variables) {
+  if (q.is_constant()) return q.number().value();
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> defaults;
+  for (const Parameter& p : parameters) defaults.push_back(p.default_value.value_or(kUnknown));
+  const double value = evaluate(q, defaults, std::vector<double>(variables, kUnknown));
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 // --- printing --------------------------------------------------------------------------------------------------

@@ -89,6 +89,13 @@ class Quantity {
 // Returns the numerical value; parameters and variables are looked up by index.
 double evaluate(const Quantity& q, std::span<const double> parameters = {}, std::span<const double> variables = {});
 
+// Returns the value at the default values of the parameters; nullopt if it is not known, because a parameter has no
+// default value or because it depends on one of the `variables`.
+std::optional<double> value_at_defaults(
+    const Quantity& q,
+    const std::vector<Parameter>& parameters,
+    std::size_t variables = 0);
+
 // Returns the indices of the parameters that a quantity depends on.
 std::vector<int> parameters_of(const Quantity& q);
 

@@ -107,7 +107,10 @@ class Rewriter {
     const bool has_name = e->kind == Kind::name || e->kind == Kind::pi;
     if (has_name && e->group.empty()) {
       const auto value = meanings_.values.find(e->name);
-      if (value != meanings_.values.end()) return at(value->second, shifted(e->span));
+      if (value != meanings_.values.end()) {
+        require_plain(*e);
+        return at(value->second, shifted(e->span));
+      }
       if (e->kind == Kind::name) require_meaning(*e);
     }
     Expression result = *e;
@@ -133,6 +136,22 @@ class Rewriter {
     Expression result = *e;
     result.span = span;
     return std::make_shared<const Expression>(std::move(result));
+  }
+
+  // Otherwise it would be unclear whether the part's parameter or one of the robot is meant.
+  void require_plain(const Expression& e) const {
+    if (meanings_.part.empty() || !is_declared(e)) return;
+    const std::string text = (e.is_parameter ? "p:" : "") + e.name + (e.default_value ? "[…]" : "");
+    diagnostics_
+        .error(
+            "parameter-of-part", {source_, shifted(e.span)},
+            fmt::format(
+                "'{}' declares a parameter of the robot, but '{}' is a parameter of part '{}'", text, e.name,
+                meanings_.part))
+        .hint = e.default_value ? fmt::format(
+                                      "write '{0}', and a default value where the part declares it: 'Part {1}({0}[…])'",
+                                      e.name, meanings_.part)
+                                : fmt::format("write '{}', or choose another name", e.name);
   }
 
   void require_meaning(const Expression& e) const {

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
+
+#include "import/parts/rewrite.h"
 
 namespace robcogen::import::parts {
 
@@ -75,9 +78,16 @@ void Scopes::declare(Scope& scope, const std::string& name, const Entry& entry, 
 void Scopes::check(const DocumentPtr& document, const kinematics::Part& part) {
   const auto place = [&](const Span& span) { return Place{document->source, span}; };
   std::map<std::string, Span> known;
+  const std::set<std::string> used = parameters_of(part);
   for (const kinematics::PartParameter& parameter : part.parameters) {
     const auto [earlier, is_new] = known.insert({parameter.name.text, parameter.name.span});
-    if (is_new) continue;
+    if (is_new) {
+      if (!used.contains(parameter.name.text))
+        diagnostics_.warning(
+            "unused-parameter", place(parameter.name.span),
+            fmt::format("part '{}' does not use its parameter '{}'", part.name.text, parameter.name.text));
+      continue;
+    }
     diagnostics_
         .error(
             "duplicate-parameter", place(parameter.name.span),

@@ -116,6 +116,11 @@ class ExpressionParser {
       if (!juxtaposed) cursor_.take();
       ExpressionPtr right = unary(ends_in_number);
       const Span span{left->span.begin, right->span.end};
+      // `0.01 / 2.0 PI` looks like 0.01 / (2.0 PI) and is (0.01 / 2.0) PI. Units of couplings cannot be meant
+      // otherwise.
+      if (juxtaposed && left->kind == Kind::divide && right->name != "rad" && right->name != "m")
+        cursor_.warning_at(span, "product-after-division", "this is read as the quotient times the last factor").hint =
+            "write parentheses, as in '0.01 / (2.0 PI)' or '(0.01 / 2.0) * PI'";
       left = operation(kind, span, std::move(left), std::move(right), juxtaposed);
     }
   }
