@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "command/model_options.h"
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
@@ -36,6 +37,7 @@ Status check(const CheckOptions& options) {
   std::vector<std::string> models, lists;
   for (const std::string& file : options.files)
     (driver::language_of_suffix(file) == driver::Language::desired ? lists : models).push_back(file);
+  report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
   for (const std::string& model : models) {
     const auto loaded = driver::load(

@@ -100,15 +100,6 @@ CLI::Validator whole_number() {
   return {check, ""};
 }
 
-// Accepts folders that exist.
-CLI::Validator folder_that_exists() {
-  const auto check = [](const std::string& word) -> std::string {
-    std::error_code ignored;
-    return std::filesystem::is_directory(word, ignored) ? "" : fmt::format("there is no folder '{}'", word);
-  };
-  return {check, ""};
-}
-
 constexpr const char* kStrictHelp =
     "Treat warnings about the desired-transforms document, and about suspicious names and angles, as errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
@@ -122,8 +113,8 @@ void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
       ->check(one_of({"gnu", "msvc"}));
 }
 
-CLI::Option* declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::path>& folders) {
-  return subcommand
+void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::path>& folders) {
+  subcommand
       .add_option(
           "-I,--import-folder", folders,
           "Folder to search for imported documents, after the folder of the importing document")
@@ -194,7 +185,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       "--derivatives", model.derivatives,
       "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
       "inverse_dynamics:q,qd");
-  declare_import_folders(subcommand, model.import_folders)->check(folder_that_exists());
+  declare_import_folders(subcommand, model.import_folders);
   declare_urdf_options(subcommand, model.urdf);
   declare_error_format(subcommand, model.error_format);
   return file;
@@ -259,7 +250,7 @@ Action declare_check(CLI::App& application) {
   subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, MJCF, .motdsl, .ctdsl, .dtdsl)")
       ->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
-  declare_import_folders(*subcommand, options->import_folders)->check(folder_that_exists());
+  declare_import_folders(*subcommand, options->import_folders);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return check(*options); };
@@ -324,7 +315,7 @@ Action declare_convert(CLI::App& application) {
   subcommand->add_option("--position", options->position, "Position of the moved frame in a .ctdsl: left or right")
       ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
-  declare_import_folders(*subcommand, options->import_folders)->check(folder_that_exists());
+  declare_import_folders(*subcommand, options->import_folders);
   declare_urdf_options(*subcommand, options->urdf);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return convert(*options); };

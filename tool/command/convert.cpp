@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "command/model_options.h"
 #include "command/output.h"
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
@@ -297,6 +298,7 @@ std::optional<std::string> convert_motions(const ConvertOptions& options, Diagno
 
 Status convert(const ConvertOptions& options) {
   require_conversion(options);
+  report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
   const std::optional<std::string> text = is_robot(driver::language_of(options.from))
                                               ? convert_robot(options, diagnostics)

@@ -42,14 +42,25 @@ TEST(Usage, ValuesOfOptionsAreExplained) {
   const std::string model = " " + quoted(robot("hyl"));
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"ops --effort 1.5" + model, "--effort: '1.5' is not a whole number"},
-      {"ops --effort -1" + model, "--effort: Value -1 not in range 0 to 1000"},
-      {"check -I no-such-folder" + model, "--import-folder: there is no folder 'no-such-folder'"},
-      {"convert -I no-such-folder" + model + " x.urdf", "--import-folder: there is no folder 'no-such-folder'"},
-      {"ops -I no-such-folder" + model, "--import-folder: there is no folder 'no-such-folder'"}};
+      {"ops --effort=-1" + model, "--effort: Value -1 not in range 0 to 1000"}};
   for (const auto& [arguments, message] : cases) {
     const Outcome run = run_tool(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(run.errors.find("robcogen: error: " + message + "\n"), 0U) << run.errors;
+  }
+}
+
+TEST(Usage, FoldersOfImportsThatDoNotExistAreMentioned) {
+  const Scratch scratch("no-folder");
+  const std::string model = quoted(robot("hyl"));
+  for (const std::string& command :
+       {"check " + model, "print --expand " + model, "ops --algorithms energy " + model,
+        "convert " + model + " " + quoted(scratch.path / "hyl.urdf")}) {
+    const Outcome run = run_tool(command + " -I no-such-folder -I " + quoted(scratch.path));
+    EXPECT_EQ(run.status, 0) << command;
+    EXPECT_EQ(run.errors.find("robcogen: warning: -I: there is no folder 'no-such-folder' [no-import-folder]\n"), 0U)
+        << run.errors;
+    EXPECT_EQ(run.errors.find(scratch.path.string() + "'"), std::string::npos) << run.errors;
   }
 }
 
