@@ -54,7 +54,7 @@ TEST(Usage, FoldersOfImportsThatDoNotExistAreMentioned) {
   const Scratch scratch("no-folder");
   const std::string model = quoted(robot("hyl"));
   for (const std::string& command :
-       {"check " + model, "print --expand " + model, "ops --algorithms energy " + model,
+       {"check " + model, "print --expand " + model, "ops " + model + " --algorithms energy",
         "convert " + model + " " + quoted(scratch.path / "hyl.urdf")}) {
     const Outcome run = run_tool(command + " -I no-such-folder -I " + quoted(scratch.path));
     EXPECT_EQ(run.status, 0) << command;
