@@ -26,7 +26,7 @@ endfunction()
 # Sets `result` to the prefix of all names.
 function(_robcogen_c_prefix result)
   string(REPLACE "::" "_" prefix "${library_NAMESPACE}")
-  if(prefix)
+  if(NOT "${prefix}" STREQUAL "")
     string(APPEND prefix _)
   endif()
   set(${result} ${prefix}${library_NAME} PARENT_SCOPE)

@@ -1,4 +1,6 @@
 """The package robcogen: models without a build system, the cache, the command line, the wheel."""
+import contextlib
+import io
 import os
 import re
 import shutil
@@ -78,8 +80,51 @@ class Package(unittest.TestCase):
                 robcogen.load(SOURCES / "robots" / "hyl" / "hyl.kindsl")
         finally:
             os.environ["ROBCOGEN_TOOL"], os.environ["PATH"] = tool, path
+        with self.assertRaisesRegex(robcogen.Error, "7dof.kindsl: '7dof' cannot name the module, as it is not a valid identifier"):
+            robcogen.load(shutil.copy(self.model, self.folder / "7dof.kindsl"))
+        with self.assertRaisesRegex(robcogen.Error, "the generator writes no code with the options --list-outputs"):
+            robcogen.load(self.model, options=["--list-outputs"])
         leftovers = [f for f in (self.folder / "cache").iterdir() if f.name.startswith("tmp")]
         self.assertEqual(leftovers, [])
+
+    def test_variables_that_name_no_program(self):
+        old = {variable: os.environ.get(variable) for variable in ("ROBCOGEN_TOOL", "CXX")}
+        try:
+            for variable, value, what in (
+                ("CXX", "no-such-c++ -m64", "a C[+][+] compiler"),
+                ("CXX", "'c++", "a C[+][+] compiler"),
+                ("ROBCOGEN_TOOL", "no-such-tool", "the program robcogen"),
+            ):
+                os.environ[variable] = value
+                with self.assertRaisesRegex(robcogen.Error, f"{variable} is '{re.escape(value)}', which is not a program: it must name {what}"):
+                    robcogen.build(self.model, name="not_compiled", algorithms="energy")
+        finally:
+            for variable, value in old.items():
+                os.environ.pop(variable) if value is None else os.environ.update({variable: value})
+
+    def test_the_compiler_may_have_arguments(self):
+        old = os.environ.get("CXX")
+        os.environ["CXX"] = "env LC_ALL=C c++"
+        try:
+            self.assertTrue(robcogen.build(self.model, name="wrapped", algorithms="energy").is_file())
+        finally:
+            os.environ.pop("CXX") if old is None else os.environ.update(CXX=old)
+
+    def test_warnings_are_printed(self):
+        suspicious = self.folder / "suspicious.kindsl"
+        text = self.model.read_text()
+        # An angle that looks like degrees.
+        place = re.search(r"rotation\s*=\s*\(([^,]*),", text)
+        suspicious.write_text(text[: place.start(1)] + "90.0" + text[place.end(1) :])
+        # The second time, the module comes from the cache.
+        for _ in range(2):
+            printed = io.StringIO()
+            with contextlib.redirect_stderr(printed):
+                robcogen.build(suspicious, algorithms="energy")
+            self.assertRegex(printed.getvalue(), r"suspicious\.kindsl:\d+:\d+: warning: ")
+        # One string is one option: with it, the warning is an error.
+        with self.assertRaisesRegex(robcogen.Error, r"suspicious\.kindsl:\d+:\d+: error: "):
+            robcogen.build(suspicious, algorithms="energy", options="--strict")
 
     def test_the_tool_of_the_same_installation(self):
         prefix = self.folder / "prefix"

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "command/model_options.h"
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
+#include "driver/trace.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 
@@ -35,9 +37,10 @@ Status check(const CheckOptions& options) {
   std::vector<std::string> models, lists;
   for (const std::string& file : options.files)
     (driver::language_of_suffix(file) == driver::Language::desired ? lists : models).push_back(file);
+  report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
-  for (const std::string& model : models)
-    driver::load(
+  for (const std::string& model : models) {
+    const auto loaded = driver::load(
         model,
         {.strict = options.strict,
          .urdf = options.urdf,
@@ -45,6 +48,8 @@ Status check(const CheckOptions& options) {
          .import_folders = options.import_folders,
          .may_be_library = true},
         diagnostics);
+    if (loaded) driver::mention_joint_limit(*loaded, diagnostics);
+  }
   for (const std::string& list : lists) {
     if (models.size() == 1)
       check_list(options, list, models.front(), diagnostics);

@@ -90,6 +90,16 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return {check, description};
 }
 
+// Accepts integers; CLI::Range says nothing about fractions.
+CLI::Validator whole_number() {
+  const auto check = [](const std::string& word) -> std::string {
+    const std::size_t digits = word.find_first_not_of("+-") == 1 ? 1 : 0;
+    const bool is_whole = word.size() > digits && word.find_first_not_of("0123456789", digits) == std::string::npos;
+    return is_whole ? "" : fmt::format("'{}' is not a whole number", word);
+  };
+  return {check, ""};
+}
+
 constexpr const char* kStrictHelp =
     "Treat warnings about the desired-transforms document, and about suspicious names and angles, as errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
@@ -169,6 +179,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "--effort", model.steps.effort,
           "Effort of the search for link frames that make the dynamics cheaper: 0 skips it, 1 takes two seconds for "
           "forty joints, n takes n times as long")
+      ->check(whole_number())
       ->check(CLI::Range(0, 1000));
   subcommand.add_option(
       "--derivatives", model.derivatives,
@@ -211,11 +222,13 @@ Action declare_generate(CLI::App& application) {
           "--processors", options->processors,
           "cpp: processors to compile functions for; a program chooses one of them when it starts; default baseline; "
           "robots only")
+      ->delimiter(',')
       ->check(one_of({"baseline", "avx2", "avx512"}));
   subcommand->add_flag(
       "--double-only", options->is_double_only,
       "cpp: no functions in single precision (no namespace f32), which halves the code to compile");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
+      ->delimiter(',')
       ->check(one_of(language_names()));
   subcommand
       ->add_option(
@@ -274,7 +287,8 @@ Action declare_eval(CLI::App& application) {
   subcommand
       ->add_option(
           "function", options->function,
-          "A name that `robcogen ops` lists, or a transform or Jacobian between any two frames")
+          "A name that `robcogen ops` lists, or, of a robot, a transform or Jacobian between any two frames. --desired "
+          "selects other transforms of motions")
       ->required();
   subcommand->add_flag("--quiet", options->model.quiet, "Print only errors of the model, no warnings and notes");
   subcommand->footer(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "command/model_options.h"
 #include "command/output.h"
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
@@ -157,6 +158,16 @@ void mention_lost_drives(const Robot& robot, Diagnostics& diagnostics) {
       fmt::format("a URDF cannot hold these properties of drives, which are left out: {}", fmt::join(lost, ", ")));
 }
 
+// Adds one warning that lists the actuators between frames, which URDF does not have.
+void mention_lost_actuators(const Robot& robot, Diagnostics& diagnostics) {
+  if (robot.tree.actuators.empty()) return;
+  std::vector<std::string> lost;
+  for (const model::Actuator& actuator : robot.tree.actuators) lost.push_back(fmt::format("'{}'", actuator.name));
+  diagnostics.warning(
+      "actuator-lost", robot.tree.actuators.front().place,
+      fmt::format("a URDF has no actuators between frames; these are left out: {}", fmt::join(lost, ", ")));
+}
+
 // Adds one note if the dynamics of the URDF do not include damping and friction, because those of a robot document do.
 void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
   if (robot.tree.uses_passive_forces) return;
@@ -255,6 +266,7 @@ std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnost
       require_urdf_types(*model, robot);
       mention_urdf_plus(robot, diagnostics);
       mention_lost_drives(robot, diagnostics);
+      mention_lost_actuators(robot, diagnostics);
       std::string text = exporting::urdf(robot.tree);
       mention_implausible(text, model->file, diagnostics);
       return text;
@@ -286,6 +298,7 @@ std::optional<std::string> convert_motions(const ConvertOptions& options, Diagno
 
 Status convert(const ConvertOptions& options) {
   require_conversion(options);
+  report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
   const std::optional<std::string> text = is_robot(driver::language_of(options.from))
                                               ? convert_robot(options, diagnostics)

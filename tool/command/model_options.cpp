@@ -59,6 +59,15 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
                        model.string())};
 }
 
+void report_missing_folders(const std::vector<std::filesystem::path>& folders, ErrorFormat format) {
+  Diagnostics diagnostics;
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : folders)
+    if (!std::filesystem::is_directory(folder, ignored))
+      diagnostics.warning("no-import-folder", {}, fmt::format("-I: there is no folder '{}'", folder.string()));
+  report(diagnostics.render(format));
+}
+
 void require_groups_of_transforms(const std::vector<std::string>& asked) {
   for (const std::string& group : named_groups(asked)) {
     if (group == driver::kTransformsGroup) continue;
@@ -76,6 +85,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   require_urdf(file, urdf);
   if (!contacts.empty() && !driver::is_robot(driver::language_of(file)))
     throw Failure{wrong_usage, "robcogen: error: --contacts applies to robots only, not to motions and transforms"};
+  if (!quiet) report_missing_folders(import_folders, error_format);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
   options.strict = strict;

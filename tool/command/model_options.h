@@ -62,6 +62,9 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked);
 // Documents of motions and of transforms have a single group: throws a Failure if others were asked for.
 void require_groups_of_transforms(const std::vector<std::string>& asked);
 
+// Reports a warning for each folder of imports that does not exist.
+void report_missing_folders(const std::vector<std::filesystem::path>& folders, ErrorFormat format);
+
 // Throws a Failure if one of the options was given and the model is not a URDF: other documents say these things
 // themselves.
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options);

@@ -14,6 +14,7 @@ namespace {
 
 language::kinematics::Document robot_document(const PrintOptions& options, Diagnostics& diagnostics) {
   if (!options.expand) return language::kinematics::parse(driver::read_source(options.model.file), diagnostics);
+  report_missing_folders(options.model.import_folders, options.model.error_format);
   std::optional<import::RobotDocument> read =
       driver::load_robot_document(options.model.file, {.import_folders = options.model.import_folders}, diagnostics);
   return read ? std::move(read->document) : language::kinematics::Document();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -109,9 +110,24 @@ std::vector<double> positions(
   return values;
 }
 
-void require_robot(const ViewOptions& options, const std::string& command) {
+// A file name without an extension, such as /dev/stdout, is accepted too.
+void require_extension(const fs::path& file, const std::string& command, const std::vector<std::string>& extensions) {
+  std::string extension = file.extension().string();
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (extension.empty() || std::count(extensions.begin(), extensions.end(), extension) > 0) return;
+  throw Failure{
+      wrong_usage, with_hint(
+                       fmt::format(
+                           "robcogen: error: {} writes {}, not '{}': {}", command, extensions[0].substr(1), extension,
+                           file.string()),
+                       fmt::format("name a file that ends in {}", fmt::join(extensions, " or ")))};
+}
+
+void require_robot(const ViewOptions& options, const std::string& command, const std::vector<std::string>& extensions) {
   if (options.output.empty())
     throw Failure{wrong_usage, fmt::format("robcogen: error: {} needs an output file: -o FILE", command)};
+  require_extension(options.output, command, extensions);
   if (!driver::is_robot(driver::language_of(options.model.file)))
     throw Failure{
         wrong_usage, fmt::format("robcogen: error: {} applies to robots only, not to motions and transforms", command)};
@@ -135,7 +151,7 @@ Status write(const ViewOptions& options, const driver::Model& model, const std::
 }  // namespace
 
 Status draw(const ViewOptions& options) {
-  require_robot(options, "draw");
+  require_robot(options, "draw", {".svg"});
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
   const view::ViewedRobot robot = view::viewed(*model);
@@ -151,7 +167,7 @@ Status draw(const ViewOptions& options) {
 }
 
 Status view(const ViewOptions& options) {
-  require_robot(options, "view");
+  require_robot(options, "view", {".html", ".htm"});
   Diagnostics diagnostics;
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;

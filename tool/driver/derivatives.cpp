@@ -176,8 +176,8 @@ Derivative parse_derivative(const std::string& text) {
   const auto refuse_text = [&](const std::string& message) {
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: --derivatives '{}': {}\nhint: write function:input or "
-                         "function:input,input, such as inverse_dynamics:q,qd [wrong-derivative]",
+                         "robcogen: error: --derivatives '{}': {} [wrong-derivative]\nhint: write function:input or "
+                         "function:input,input, such as inverse_dynamics:q,qd",
                          text, message)};
   };
   // `jacobians::A_J_B:q`, as in C++, means the same as `jacobians.A_J_B:q`.

@@ -112,16 +112,21 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
 }
 
 // The contact frames of an option. The option's text is a source of its own.
-std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words) {
+std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words, Diagnostics& diagnostics) {
   const auto source = std::make_shared<const Source>("--contacts", fmt::format("{}", fmt::join(words, " ")));
   std::vector<import::NamedContact> contacts;
   std::size_t begin = 0;
   for (const std::string& word : words) {
     const std::size_t colon = word.rfind(':');
-    const std::string kind = colon == std::string::npos ? "" : word.substr(colon + 1);
-    const bool has_kind = kind == "point" || kind == "surface";
-    contacts.push_back(
-        {has_kind ? word.substr(0, colon) : word, kind == "surface", {source, {begin, begin + word.size()}}});
+    const std::string frame = word.substr(0, colon),
+                      kind = colon == std::string::npos ? "point" : word.substr(colon + 1);
+    if (kind != "point" && kind != "surface") {
+      const Place place = {source, {begin + colon, begin + word.size()}};
+      Diagnostic& error = diagnostics.error(
+          "unknown-contact-kind", place, fmt::format("'{}' is not a kind of contact: point or surface", kind));
+      error.hint = did_you_mean(kind, {"point", "surface"});
+    }
+    contacts.push_back({frame, kind == "surface", {source, {begin, begin + word.size()}}});
     begin += word.size() + 1;
   }
   return contacts;
@@ -151,7 +156,7 @@ model::DesiredTransforms desired_of(
     result = import::desired_transforms(list, tree, diagnostics);
   }
   if (!options.contacts.empty())
-    result.contacts = import::contact_frames(named_contacts(options.contacts), tree, diagnostics);
+    result.contacts = import::contact_frames(named_contacts(options.contacts, diagnostics), tree, diagnostics);
   return result;
 }
 

@@ -84,16 +84,28 @@ Functions trace_transforms(const Transforms& transforms, const std::filesystem::
   return result;
 }
 
+bool has_too_many_joints(const Model& model) {
+  return model.robot() && static_cast<int>(model.robot()->tree.joints.size()) > kMaxJoints;
+}
+
+std::string too_many_joints(const Model& model) {
+  const model::KinematicTree& tree = model.robot()->tree;
+  return fmt::format("robot '{}' has {} joints; the limit is {}", tree.name, tree.joints.size(), kMaxJoints);
+}
+
 }  // namespace
 
+void mention_joint_limit(const Model& model, Diagnostics& diagnostics) {
+  if (!has_too_many_joints(model)) return;
+  const model::Joint& first = model.robot()->tree.joints[static_cast<std::size_t>(kMaxJoints)];
+  diagnostics.warning("too-many-joints", first.place, too_many_joints(model)).hint =
+      "a larger robot can be checked, printed and converted only";
+}
+
 void require_traceable(const Model& model) {
-  const model::KinematicTree& tree = model.robot()->tree;
-  const int joints = static_cast<int>(tree.joints.size());
-  if (joints <= kMaxJoints) return;
+  if (!has_too_many_joints(model)) return;
   throw Failure{
-      wrong_input, fmt::format(
-                       "{}: error: robot '{}' has {} joints; the limit is {} [too-many-joints]", model.file.string(),
-                       tree.name, joints, kMaxJoints)};
+      wrong_input, fmt::format("{}: error: {} [too-many-joints]", model.file.string(), too_many_joints(model))};
 }
 
 Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps) {

@@ -17,6 +17,8 @@ inline constexpr const char* kTransformsGroup = "transforms";
 // be checked and printed whatever their size.
 inline constexpr int kMaxJoints = 1000;
 
+// A warning if the robot has more than kMaxJoints, for commands that trace nothing.
+void mention_joint_limit(const Model& model, Diagnostics& diagnostics);
 // Throws a Failure if the robot has more than kMaxJoints.
 void require_traceable(const Model& model);
 

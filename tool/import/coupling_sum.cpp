@@ -127,8 +127,22 @@ class SumReader {
     return a;
   }
 
+  // The first name that is neither a joint nor a parameter, or nullptr.
+  const Expression* undeclared_in(const Expression& e) const {
+    if (is_joint(e)) return joints_.contains(e.name) || !joints_.is_single(e.name) ? nullptr : &e;
+    const Expression* left = e.left ? undeclared_in(*e.left) : nullptr;
+    return left == nullptr && e.right ? undeclared_in(*e.right) : left;
+  }
+
   CouplingSum not_linear(const Expression& e) {
-    if (!std::exchange(is_wrong_, true))
+    if (std::exchange(is_wrong_, true)) return {};
+    if (const Expression* name = undeclared_in(e))
+      diagnostics_
+          .error(
+              "undeclared-factor", reader_.place(*name),
+              fmt::format("'{}' is neither a joint nor a parameter", name->name))
+          .hint = fmt::format("write '{}[0.5]' to declare a parameter with this default", name->name);
+    else
       diagnostics_.error(
           "coupling-not-linear", reader_.place(e),
           "this is not linear in the joints: a coupling is a sum of joints times constants, plus a constant");

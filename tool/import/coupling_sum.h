@@ -44,8 +44,8 @@ struct CouplingSum {
 };
 
 // Reads the sum. A plain name that is neither a joint nor a parameter stands for a joint, which the model reports.
-// Returns nullopt after reporting a joint with several coordinates, an expression that is not linear in the joints, or
-// a division by zero.
+// Returns nullopt after reporting a joint with several coordinates, an expression that is not linear in the joints, an
+// undeclared name that is multiplied by a joint, or a division by zero.
 std::optional<CouplingSum> read_coupling_sum(
     const language::kinematics::Coupling& coupling,
     const CoupledJoints& joints,

@@ -151,6 +151,19 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row[a.size()];
 }
 
+// Whether the word is the candidate with its last letter twice, as in `Ixx`.
+bool doubles_last_letter(const std::string& word, const std::string& candidate) {
+  const std::size_t size = candidate.size();
+  return size > 0 && word.size() == size + 1 && edit_distance(word.substr(0, size), candidate) == 0 &&
+         lower(word[size]) == lower(word[size - 1]);
+}
+
+// Decides between candidates that are equally near.
+int preference(const std::string& word, const std::string& candidate) {
+  if (doubles_last_letter(word, candidate)) return 2;
+  return candidate.size() == word.size() ? 1 : 0;
+}
+
 }  // namespace
 
 Place written_at(const Place& place) {
@@ -231,7 +244,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     const auto [shorter, longer] = std::minmax({candidate.size(), word.size()});
     if (longer - shorter > limit || longer > kMaxCompared) continue;
     const std::size_t edits = edit_distance(word, candidate);
-    const bool is_nearer = edits < best || (edits == best && longer == shorter && found.size() != word.size());
+    const bool is_nearer = edits < best || (edits == best && preference(word, candidate) > preference(word, found));
     if (!is_nearer || edits >= shorter) continue;
     best = edits;
     found = candidate;

@@ -1,8 +1,8 @@
 """Robots as Python modules, without a build system: load("arm.urdf") generates the code of a robot, compiles it once and
 imports it.
 
-It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++ compiler (CXX, or c++, g++,
-clang++) and the headers of Python. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
+It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++ compiler (CXX, which may have
+arguments, or c++, g++, clang++) and the headers of Python. Warnings and notes of the generator go to stderr. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
 """
 import hashlib
 import importlib.machinery
@@ -11,6 +11,7 @@ import json
 import os
 import platform
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -51,12 +52,13 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
 
     name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
     model, or else all links. algorithms: groups of functions; default: the default groups. derivatives: such as
-    "inverse_dynamics:q". options: other options of `robcogen generate`, such as "--floating-base".
+    "inverse_dynamics:q". options: other options of `robcogen generate`, such as "--floating-base". A single string is one
+    element.
     """
     model = Path(model).absolute()
     if not model.is_file():
         raise Error(f"{model}: no such file")
-    name = name or re.sub(r"\W", "_", model.name.split(".")[0])
+    name = name or _name_of(model)
     if desired is None and model.with_suffix(".dtdsl").is_file():
         desired = model.with_suffix(".dtdsl")
     arguments = ["--name", name, "--language", "cpp", "python"]
@@ -65,13 +67,13 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
     if desired is not None:
         arguments += ["--desired", str(Path(desired).absolute())]
     for option, values in (("--algorithms", algorithms), ("--derivatives", derivatives)):
-        values = [values] if isinstance(values, str) else list(values)
+        values = _elements(values)
         if values:
             arguments += [option, *values]
+    options = _elements(options)
     arguments += options
-    tools = [os.environ.get("ROBCOGEN_TOOL"), *_own_tool(), "robcogen"]
-    tool = _program("the program robcogen", tools, "install it, or name it in ROBCOGEN_TOOL")
-    version = _run([tool, "--version"])
+    tool = _program("the program robcogen", "ROBCOGEN_TOOL", [*_own_tool(), "robcogen"], "install it")
+    version = _run([*tool, "--version"]).stdout
     cache = _cache()
     # What was read for this call before, and what came of it.
     call = cache / (_hash(version, str(model), *arguments) + ".json")
@@ -81,8 +83,11 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
     with tempfile.TemporaryDirectory(dir=cache) as folder:
         folder = Path(folder)
         depfile, stamp = folder / "depfile", folder / "stamp"
-        command = [tool, "generate", str(model), "-o", str(folder), *arguments, "--depfile", str(depfile), "--stamp", str(stamp)]
-        _run(command)
+        command = [*tool, "generate", str(model), "-o", str(folder), *arguments, "--depfile", str(depfile), "--stamp", str(stamp)]
+        messages = _run(command).stderr
+        if not stamp.is_file():
+            raise Error(f"the generator writes no code with the options {' '.join(options)}")
+        _report(messages)
         # The stamp is the hash of the canonical model: layout and comments make no difference.
         key = f"{name}-{_hash(version, stamp.read_text(), platform.platform(), *_without_paths(arguments))}"
         module = cache / key / f"{name}.abi3.so"
@@ -94,7 +99,7 @@ def build(model, *, name=None, desired=None, algorithms=(), derivatives=(), opti
                 if not module.is_file():
                     raise
         files = [Path(f.replace("\\ ", " ")) for f in re.split(r"(?<!\\)\s+", depfile.read_text().replace("\\\n", " ").split(":", 1)[1].strip())]
-        record = {"module": str(module), "files": {str(f): _hash(f.read_bytes()) for f in files if f.is_file()}}
+        record = {"module": str(module), "messages": messages, "files": {str(f): _hash(f.read_bytes()) for f in files if f.is_file()}}
         (folder / "record").write_text(json.dumps(record))
         os.replace(folder / "record", call)
     return module
@@ -104,21 +109,24 @@ def _known(call):
     try:
         record = json.loads(call.read_text())
         same = all(_hash(Path(f).read_bytes()) == wanted for f, wanted in record["files"].items())
-        module = Path(record["module"])
-        return module if same and module.is_file() else None
+        module, messages = Path(record["module"]), record["messages"]
+        if not same or not module.is_file():
+            return None
     except (OSError, ValueError, KeyError):
         return None
+    _report(messages)
+    return module
 
 
 def _compile(folder, name):
-    compiler = _program("a C++ compiler", [os.environ.get("CXX"), "c++", "g++", "clang++"], "install one, or name it in CXX")
+    compiler = _program("a C++ compiler", "CXX", ["c++", "g++", "clang++"], "install one")
     headers = Path(sysconfig.get_paths()["include"])
     if not (headers / "Python.h").is_file():
         raise Error(f"{headers} has no Python.h: install the headers of this Python (Debian: python3-dev)")
     includes = ["-I", str(folder), "-I", str(_runtime()), "-I", str(headers)]
     has_levels = bool(list(folder.glob(f"{name}/kernels_avx2.cpp")))
     levels = ["-DROBCOGEN_WITH_AVX2"] if has_levels else []
-    is_gcc = "Free Software Foundation" in _run([compiler, "--version"])
+    is_gcc = "Free Software Foundation" in _run([*compiler, "--version"]).stdout
     source = folder / "python" / f"{name}.cpp"
     commands, objects = [], []
     for file in [source, *sorted((folder / name).glob("*.cpp"))]:
@@ -131,12 +139,12 @@ def _compile(folder, name):
         if is_gcc and file != source and is_best == has_levels:
             flags += _ORDER_OF_GCC
         objects.append(str(folder / f"{len(objects)}.o"))
-        commands.append([compiler, *flags, *levels, *includes, "-c", str(file), "-o", objects[-1]])
+        commands.append([*compiler, *flags, *levels, *includes, "-c", str(file), "-o", objects[-1]])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(_run, commands))
     (folder / "module").mkdir()
     link = ["-undefined", "dynamic_lookup"] if sys.platform == "darwin" else []
-    _run([compiler, "-shared", *link, *objects, "-o", str(folder / "module" / f"{name}.abi3.so")])
+    _run([*compiler, "-shared", *link, *objects, "-o", str(folder / "module" / f"{name}.abi3.so")])
     shutil.copy(folder / "python" / f"{name}.pyi", folder / "module")
 
 
@@ -163,19 +171,48 @@ def _cache():
     return Path(folder).absolute()
 
 
-def _program(what, names, advice):
-    for name in names:
-        found = name and shutil.which(name)
+def _name_of(model):
+    """The name of a model's module if none is given."""
+    name = re.sub(r"\W", "_", model.name.split(".")[0], flags=re.ASCII)
+    if not name.isidentifier():
+        raise Error(f"{model}: '{name}' cannot name the module, as it is not a valid identifier; give it another name")
+    return name
+
+
+def _elements(values):
+    return [values] if isinstance(values, str) else list(values)
+
+
+def _program(what, variable, names, advice):
+    """The command of a program, a list: the one that the environment variable names, or the first of `names` that exists."""
+    given = os.environ.get(variable, "").strip()
+    for command in [[given], _words(given)] if given else [[name] for name in names]:
+        found = command and shutil.which(command[0])
         if found:
-            return found
-    raise Error(f"cannot find {what}: {advice}")
+            return [found, *command[1:]]
+    if given:
+        raise Error(f"{variable} is '{given}', which is not a program: it must name {what}")
+    raise Error(f"cannot find {what}: {advice}, or name it in {variable}")
+
+
+def _words(command):
+    """The program and the arguments of a command line, or nothing if a quote has no end."""
+    try:
+        return shlex.split(command)
+    except ValueError:
+        return []
+
+
+def _report(messages):
+    if messages.strip():
+        print(messages.strip(), file=sys.stderr)
 
 
 def _run(command):
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode:
         raise Error(run.stderr.strip() or f"{command[0]} ended with status {run.returncode}")
-    return run.stdout
+    return run
 
 
 def _without_paths(arguments):

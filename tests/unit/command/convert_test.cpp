@@ -147,6 +147,19 @@ TEST(Convert, NamesWhatAUrdfCannotSayOfDrives) {
   EXPECT_NE(read_text(back).find("        damping = 0.02\n        friction = 0.3\n"), std::string::npos);
 }
 
+TEST(Convert, NamesTheActuatorsThatAUrdfHasNot) {
+  const Scratch scratch("actuators");
+  const fs::path urdf = scratch.path / "leg.urdf";
+  const Outcome run = run_tool("convert " + quoted(robot("four_bar_leg")) + " " + quoted(urdf));
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(
+      run.errors.find(
+          "warning: a URDF has no actuators between frames; these are left out: 'hip_cylinder', 'knee_cylinder' "
+          "[actuator-lost]"),
+      std::string::npos)
+      << run.errors;
+}
+
 TEST(Convert, WrongUrdfExitsWithOneAndWritesNothing) {
   const Scratch scratch("wrong-urdf");
   const fs::path urdf = scratch.path / "bad.urdf", out = scratch.path / "bad.kindsl";

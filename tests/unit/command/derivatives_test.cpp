@@ -177,7 +177,9 @@ INSTANTIATE_TEST_SUITE_P(
             "[unknown-argument]\nhint: did you mean 'qd'?"},
         Fault{"inverse_dynamics:tau", "'tau' is a result, not an argument of inverse_dynamics, which takes parameters"},
         Fault{"inverse_dynamics:0", "'0' is not the name of an input"},
-        Fault{"inverse_dynamics", "no input to differentiate with respect to"},
+        Fault{
+            "inverse_dynamics",
+            "no input to differentiate with respect to [wrong-derivative]\nhint: write function:input"},
         Fault{":q", "no function to differentiate"},
         Fault{"inverse_dynamics:q,,qd", "an input without a name"},
         Fault{"inverse_dynamics:q,q", "'q' is given twice"},

@@ -85,6 +85,12 @@ TEST(Help, ExamplesOfEverySubcommandWork) {
     EXPECT_GT(read_text(scratch.path / made).size(), 100U) << made;
 }
 
+TEST(Help, SaysWhichTransformsCanBeEvaluated) {
+  const std::string help = run_tool("eval --help").output;
+  EXPECT_NE(help.find("of a robot, a transform or Jacobian between any two frames"), std::string::npos) << help;
+  EXPECT_NE(help.find("--desired selects other transforms of motions"), std::string::npos) << help;
+}
+
 TEST(Manual, HasEverySubcommandAndOption) {
   const std::string page = run_tool("manual").output;
   EXPECT_TRUE(page.starts_with(".TH ROBCOGEN 1 ")) << page.substr(0, 80);

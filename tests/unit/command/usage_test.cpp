@@ -19,6 +19,7 @@ TEST(Usage, GuessesWhatWasMeant) {
       {"ops " + model + " --passes canonicl", "'canonical'"},
       {"ops " + model + " --passes=frames,sinc", "'sink'"},
       {"generate " + model + " --name h -o o --language mathlab", "'matlab'"},
+      {"generate " + model + " --name h -o o --language cpp,mathlab", "'matlab'"},
       {"generate " + model + " --name h -o o --primitives lefd", "'left'"},
       {"check " + model + " --error-format mscv", "'msvc'"},
       {"print " + model + " --program invers_dynamics", "'inverse_dynamics'"},
@@ -35,6 +36,42 @@ TEST(Usage, NoOptionIsAcceptedAndIgnored) {
   const Outcome run = run_tool("generate " + quoted(robot("hyl")) + " --name h -o /nowhere/o -J .");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.errors.find("'-J' is not an option of robcogen generate"), std::string::npos) << run.errors;
+}
+
+TEST(Usage, ValuesOfOptionsAreExplained) {
+  const std::string model = " " + quoted(robot("hyl"));
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"ops --effort 1.5" + model, "--effort: '1.5' is not a whole number"},
+      {"ops --effort=-1" + model, "--effort: Value -1 not in range 0 to 1000"}};
+  for (const auto& [arguments, message] : cases) {
+    const Outcome run = run_tool(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(run.errors.find("robcogen: error: " + message + "\n"), 0U) << run.errors;
+  }
+}
+
+TEST(Usage, FoldersOfImportsThatDoNotExistAreMentioned) {
+  const Scratch scratch("no-folder");
+  const std::string model = quoted(robot("hyl"));
+  for (const std::string& command :
+       {"check " + model, "print --expand " + model, "ops " + model + " --algorithms energy",
+        "convert " + model + " " + quoted(scratch.path / "hyl.urdf")}) {
+    const Outcome run = run_tool(command + " -I no-such-folder -I " + quoted(scratch.path));
+    EXPECT_EQ(run.status, 0) << command;
+    EXPECT_EQ(run.errors.find("robcogen: warning: -I: there is no folder 'no-such-folder' [no-import-folder]\n"), 0U)
+        << run.errors;
+    EXPECT_EQ(run.errors.find(scratch.path.string() + "'"), std::string::npos) << run.errors;
+  }
+}
+
+TEST(Usage, ListsMayHaveCommas) {
+  const Scratch scratch("commas");
+  const Outcome run = run_tool(
+      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "out") +
+      " --effort 0 --algorithms energy --processors baseline,avx2 --language cpp,matlab");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "out" / "hyl" / "kernels_avx2.cpp"));
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "out" / "matlab"));
 }
 
 // None of the requested languages supports the option.

@@ -77,6 +77,19 @@ TEST(Draw, SaysWhatIsWrongWithNumbers) {
       "robcogen: error: draw applies to robots only, not to motions and transforms\n");
 }
 
+TEST(Draw, RefusesOtherFormats) {
+  const Scratch scratch("draw-other");
+  const fs::path png = scratch.path / "a.png", svg = scratch.path / "a.SVG";
+  EXPECT_EQ(
+      run_tool("draw " + quoted(robot("hyl")) + " -o " + quoted(png)).errors,
+      "robcogen: error: draw writes svg, not '.png': " + png.string() + "\nhint: name a file that ends in .svg\n");
+  EXPECT_FALSE(fs::exists(png));
+  EXPECT_EQ(run_tool("draw " + quoted(robot("hyl")) + " -o " + quoted(svg)).status, 0);
+  const Outcome run = run_tool("view " + quoted(robot("hyl")) + " -o " + quoted(png));
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("hint: name a file that ends in .html or .htm\n"), std::string::npos) << run.errors;
+}
+
 TEST(View, WritesAPage) {
   const Scratch scratch("view");
   const fs::path page = scratch.path / "new" / "hyl.html";

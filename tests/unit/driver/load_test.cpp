@@ -174,9 +174,18 @@ TEST_F(Load, ContactsOfAnOptionTakeThePlaceOfTheList) {
 
 TEST_F(Load, ContactsThatCannotBe) {
   EXPECT_FALSE(try_load("rods.kindsl", kRods, {.contacts = {"fr_lower", "fr_upper:line"}}));
-  EXPECT_EQ(codes(Severity::error), Codes{"unknown-contact-frame"});
-  EXPECT_EQ(diagnostics.render().find("--contacts:1:10: error: robot 'Rods' has no frame 'fr_upper:line'"), 0U)
+  EXPECT_EQ(codes(Severity::error), Codes{"unknown-contact-kind"});
+  EXPECT_EQ(
+      diagnostics.render().find(
+          "--contacts:1:18: error: 'line' is not a kind of contact: point or surface [unknown-contact-kind]"),
+      0U)
       << diagnostics.render();
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.contacts = {"fr_lower", "fr_uper:pont"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"unknown-contact-kind", "unknown-contact-frame"}));
+  const std::string text = diagnostics.render();
+  EXPECT_EQ(text.find("--contacts:1:10: error: robot 'Rods' has no frame 'fr_uper' [unknown-contact-frame]"), 0U)
+      << text;
+  EXPECT_NE(text.find("hint: did you mean 'point'?"), std::string::npos) << text;
   for (const char* group : {"contacts", "operational_space"}) {
     EXPECT_FALSE(try_load("rods.kindsl", kRods, {.groups = {group}}));
     EXPECT_EQ(codes(Severity::error), Codes{"no-contacts"});

@@ -186,6 +186,8 @@ TEST(Nearest, FindsWhatWasMeant) {
   EXPECT_EQ(nearest("com", words), "CoM");
   EXPECT_EQ(nearest("trnslatoin", words), "translation");
   EXPECT_EQ(nearest("IX", words), "Ix");
+  EXPECT_EQ(nearest("Ixx", {"Ixy", "Ix", "Ixz"}), "Ix");  // as URDF names it
+  EXPECT_EQ(nearest("Iyx", {"Iy", "Ixy"}), "Ixy");
   EXPECT_EQ(nearest("tail", words), "");
   EXPECT_EQ(nearest("q", {"x", "xy"}), "");  // no letter would be left
   EXPECT_EQ(nearest("", words), "");

@@ -113,8 +113,8 @@ bool Cursor::accept(std::string_view word) {
   return true;
 }
 
-Token Cursor::expect(std::string_view word, std::string_view context) {
-  if (!at(word)) unexpected(fmt::format("'{}'", word), context);
+Token Cursor::expect(std::string_view word, std::string_view context, const std::string& hint) {
+  if (!at(word)) unexpected(fmt::format("'{}'", word), context, hint);
   return take();
 }
 
@@ -145,7 +145,7 @@ Diagnostic& Cursor::warning_at(Span span, std::string code, std::string message)
   return diagnostics_.warning(std::move(code), place(span), std::move(message));
 }
 
-void Cursor::unexpected(std::string_view expected, std::string_view context) {
+void Cursor::unexpected(std::string_view expected, std::string_view context, const std::string& hint) {
   if (at_end()) {
     if (!list_.cut && !is_faulty_here()) report_unexpected_end(expected);
     throw SyntaxError{};
@@ -157,7 +157,9 @@ void Cursor::unexpected(std::string_view expected, std::string_view context) {
     error_at({end, end}, "unexpected-token", missing);
     throw SyntaxError{};
   }
-  error("unexpected-token", fmt::format("{}, found {}", missing, describe(peek()))).hint = hint_for(expected);
+  Diagnostic& d = error("unexpected-token", fmt::format("{}, found {}", missing, describe(peek())));
+  d.hint = hint_for(expected);
+  if (d.hint.empty()) d.hint = hint;
   throw SyntaxError{};
 }
 

@@ -39,7 +39,8 @@ class Cursor {
   // Whether the cursor is at an identifier that is not a keyword.
   bool at_name(std::size_t ahead = 0) const;
   bool accept(std::string_view symbol_or_keyword);
-  Token expect(std::string_view symbol_or_keyword, std::string_view context);
+  // `hint` is for a word that is not similar to the expected one.
+  Token expect(std::string_view symbol_or_keyword, std::string_view context, const std::string& hint = "");
   Token expect_name(std::string_view what);
 
   Place place(Span span) const { return {list_.source, span}; }
@@ -49,7 +50,7 @@ class Cursor {
   Diagnostic& warning_at(Span span, std::string code, std::string message);
   // Reports `expected …, found …`, with a hint if a quoted word of `expected` may be intended. Reports nothing if the
   // lexer has reported the text nearby, or at the end of tokens that were cut short.
-  [[noreturn]] void unexpected(std::string_view expected, std::string_view context);
+  [[noreturn]] void unexpected(std::string_view expected, std::string_view context, const std::string& hint = "");
   // Whether the lexer has reported text on this line, or between the present token and the token before it.
   bool is_faulty_here() const;
 

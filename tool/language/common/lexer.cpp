@@ -94,12 +94,15 @@ std::size_t add_symbol(const Lexing& lexing, std::size_t begin) {
   return end;
 }
 
-// Whether this is `"…"` after the word `import`.
-bool at_file_name(const Lexing& lexing, std::size_t at) {
+bool is_after_import(const Lexing& lexing) {
   if (lexing.list.tokens.empty()) return false;
   const Token& word = lexing.list.tokens.back();
-  return word.kind == Token::Kind::identifier && !word.escaped && word.text == "import" &&
-         end_of_quoted(lexing.text, at) != std::string_view::npos;
+  return word.kind == Token::Kind::identifier && !word.escaped && word.text == "import";
+}
+
+// Whether this is `"…"` after the word `import`.
+bool at_file_name(const Lexing& lexing, std::size_t at) {
+  return is_after_import(lexing) && end_of_quoted(lexing.text, at) != std::string_view::npos;
 }
 
 std::size_t add_file_name(const Lexing& lexing, std::size_t begin) {
@@ -139,7 +142,8 @@ std::size_t report_quotes(const Lexing& lexing, std::size_t begin, ReportedStray
   if (is_closed) strays.closing_quote = closing;
   if (!is_new) return end;
   lexing.error("stray-character", {begin, is_closed ? closing + 1 : end}, fmt::format("unexpected character {}", quote))
-      .hint = "write names and numbers without quotes";
+      .hint = is_after_import(lexing) ? "write the name of a file in double quotes, as in 'import \"leg.kindsl\"'"
+                                      : "write names and numbers without quotes";
   lexing.list.faults.back().end = end;
   return end;
 }

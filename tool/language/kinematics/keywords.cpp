@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "language/kinematics/document.h"
 
@@ -37,6 +38,30 @@ const std::vector<std::string>& keywords() {
 
 bool is_keyword(const std::string& word) {
   return std::find(keywords().begin(), keywords().end(), word) != keywords().end();
+}
+
+std::string_view keyword_of_joint(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kNames = {{
+      {"revolute", "r_joint"},
+      {"continuous", "r_joint"},
+      {"hinge", "r_joint"},
+      {"prismatic", "p_joint"},
+      {"helical", "h_joint"},
+      {"screw", "h_joint"},
+      {"cylindrical", "c_joint"},
+      {"universal", "u_joint"},
+      {"planar", "planar_joint"},
+      {"spherical", "s_joint"},
+      {"ball", "s_joint"},
+  }};
+  for (const std::string_view ending : {"_joint", "joint", "Joint"}) {
+    if (!word.ends_with(ending)) continue;
+    word.remove_suffix(ending.size());
+    break;
+  }
+  for (const auto& [name, keyword] : kNames)
+    if (word == name) return keyword;
+  return {};
 }
 
 std::string_view word_of(Joint::Type type) {

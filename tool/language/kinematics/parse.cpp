@@ -159,7 +159,11 @@ class Parser : private BlockParser {
       std::vector<std::string> words(kElements.begin(), kElements.end());
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
       words.insert(words.end(), {std::string(kCouplings), "loops", "independent", "actuators"});
-      if (token.kind == Token::Kind::identifier) d.hint = suggest_keyword(token.text, words);
+      const std::string_view joint = keyword_of_joint(token.text);
+      if (!joint.empty())
+        d.hint = fmt::format("did you mean '{}'?", joint);
+      else if (token.kind == Token::Kind::identifier)
+        d.hint = suggest_keyword(token.text, words);
       if (at_instance(cursor_)) d.hint = "list a part under 'children' of the link that carries it";
     }
     cursor_.skip_until([&] { return cursor_.at("{") || cursor_.at("}") || at_element(); });

@@ -74,13 +74,21 @@ class LinkParser {
             link.instances.push_back(instance(parser_));
             return;
           }
-          Child child;
-          child.link = parser_.name("the name of a child link");
-          cursor_.expect("via", fmt::format("after '{}'", child.link.text));
-          child.joint = parser_.name("the name of a joint");
-          link.children.push_back(std::move(child));
+          link.children.push_back(child());
         },
         kLinkItems);
+  }
+
+  Child child() {
+    Child child;
+    child.link = parser_.name("the name of a child link");
+    std::string hint;
+    if (cursor_.at_name())
+      hint =
+          fmt::format("write '{0} via {1}' for a link, '{0} {1}()' for a part", child.link.text, cursor_.peek().text);
+    cursor_.expect("via", fmt::format("after '{}'", child.link.text), hint);
+    child.joint = parser_.name("the name of a joint");
+    return child;
   }
 
   // Parses one block, or several in a row; blocks may be empty.
