@@ -104,15 +104,9 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
 }
 
 void QuantityReader::check_angle(const Expression& expression, const Number& angle, double turns) {
-  // A multiple of PI is intentional, and so is 6.2832, a full turn.
-  constexpr double kTurn = 6.2833;
-  const double size = std::abs(angle.value());
-  if (angle.is_pi_multiple() || size < turns * kTurn || size > kTooLarge) return;
-  const std::string most = turns > 1.0 ? fmt::format("{} turns", turns) : "a turn";
-  diagnostics_
-      .warning(
-          "large-angle", place(expression), fmt::format("{} rad is more than {}", print_double(angle.value()), most))
-      .hint = "angles are in rad; one degree is 'PI/180.0'";
+  const std::string message = large_angle(angle.value(), turns);
+  if (angle.is_pi_multiple() || message.empty()) return;  // a multiple of PI is intentional
+  diagnostics_.warning("large-angle", place(expression), message).hint = "angles are in rad; one degree is 'PI/180.0'";
 }
 
 double QuantityReader::least_magnitude(const Quantity& q) const {

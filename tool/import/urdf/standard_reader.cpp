@@ -6,8 +6,6 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "import/urdf/document.h"
@@ -104,13 +102,8 @@ Place place_of(const std::string& message, const Document& document) {
   return document.name.place;
 }
 
-// A URDF must give a number, and uses a large one for no limit.
-double bounded(double limit) {
-  constexpr double kNone = 1e9;
-  return std::abs(limit) < kNone ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
-}
-
 model::JointLimits limits_of(const Joint& joint, const urdf::JointLimits& read) {
+  using model::bounded;
   model::JointLimits limits;
   if (!joint.limit) return limits;
   if (joint.type != JointType::continuous) limits.lower = bounded(read.lower), limits.upper = bounded(read.upper);
