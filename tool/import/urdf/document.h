@@ -140,8 +140,12 @@ const char* name_of(JointType type);
 // zero. With `snap` they become that multiple, with a note on each; otherwise one note counts them.
 void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostics);
 
+// Returns the inertia (kg m^2) of the rotor of a transmission, in Drake's extension of URDF; nullptr if it has none.
+const Attribute* rotor_inertia_of(const Element& transmission);
+
 // Reads the rotors of Drake's transmissions, given by `drake:rotor_inertia` and `drake:gear_ratio` of an actuator.
-// Their inertia behind the gear becomes the armature of the joint, with one note.
+// Their inertia behind the gear becomes the armature of the joint, with one note. Transmissions without a rotor are
+// counted among the elements that are not read.
 void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
 
 // Passes the document to urdfdom, the reader that most programs use, and reports its errors in its own words. Returns

@@ -26,7 +26,7 @@ Document read_document(const Element& root, std::shared_ptr<const Source> source
       document.loops.push_back(read_loop(child, reader));
     } else if (child.name == "coupling") {
       document.couplings.push_back(read_coupling(child, reader));
-    } else {
+    } else if (child.name != "transmission") {  // see read_transmissions
       reader.ignore(child, root, {"link", "joint"});
     }
   }
