@@ -191,6 +191,12 @@ std::array<Number, 3> ElementReader::triple(const Attribute& attribute) {
   return {n[0], n[1], n[2]};
 }
 
+void ElementReader::check_angle(const Number& angle, const Place& place, double turns) {
+  const std::string message = large_angle(angle.value(), turns);
+  if (message.empty()) return;
+  diagnostics_.warning("large-angle", place, message).hint = "angles are in rad; one degree is 0.017453292519943295";
+}
+
 Number ElementReader::scalar(const Element& element, const char* attribute) {
   const Attribute* found = require(element, attribute);
   return found == nullptr ? Number() : numbers(*found, 1)[0];
@@ -206,7 +212,10 @@ Origin ElementReader::origin(const Parts& parts) {
   if (const Attribute* rpy = find(element, "rpy")) {
     result.rpy = triple(*rpy);
     const std::vector<Word> all = words(*rpy);
-    for (std::size_t i = 0; i < 3 && i < all.size(); ++i) result.rpy_places[i] = place(all[i].span);
+    for (std::size_t i = 0; i < 3 && i < all.size(); ++i) {
+      result.rpy_places[i] = place(all[i].span);
+      check_angle(result.rpy[i], result.rpy_places[i], 1.0);
+    }
   }
   if (const Attribute* quaternion = find(element, "quat_xyzw")) {
     diagnostics_.error(

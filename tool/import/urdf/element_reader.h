@@ -78,6 +78,9 @@ class ElementReader {
 
   std::array<Number, 3> triple(const Attribute& attribute);
 
+  // Warns about an angle of this many turns or more, which is probably in degrees.
+  void check_angle(const Number& angle, const Place& place, double turns);
+
   Number scalar(const Element& element, const char* attribute);
 
   // Reads the part `origin`; the identity if there is none.

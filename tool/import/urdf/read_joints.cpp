@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "import/magnitudes.h"
 #include "import/urdf/joint_attributes.h"
 #include "import/urdf/read.h"
 
@@ -66,21 +69,49 @@ Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader
   return result;
 }
 
+// Exporters write -1 for a limit that is not enforced.
+std::optional<Number> read_maximum(
+    const Element& element,
+    const char* attribute,
+    const Joint& joint,
+    ElementReader& reader) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return std::nullopt;
+  const Number value = reader.numbers(*found, 1, Range::any)[0];
+  if (value.value() >= 0) return value;
+  reader.diagnostics().warning(
+      "negative-limit", reader.place(found->span),
+      fmt::format(
+          "the {} limit of joint '{}' is negative: {}; taken as unlimited", attribute, joint.name.text,
+          print_double(value.value())));
+  return std::nullopt;
+}
+
+std::optional<Number> read_bound(
+    const Element& element,
+    const char* attribute,
+    const Joint& joint,
+    ElementReader& reader) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return std::nullopt;
+  const Number value = reader.numbers(*found, 1, Range::any)[0];
+  if (joint.type == JointType::revolute && std::abs(value.value()) < model::kNoLimit)
+    reader.check_angle(value, reader.place(found->span), kTurnsOfJoint);
+  return value;
+}
+
 Limit read_limit(const Element& element, const Joint& joint, ElementReader& reader) {
   Limit result;
   const Place own_place = reader.place(element.span);
   const Names known = {"lower", "upper", "effort", "velocity"};
   reader.check_attributes(element, {"lower", "upper"}, known, false);
-  const auto read = [&](const char* attribute) -> std::optional<Number> {
-    const Attribute* found = find(element, attribute);
-    if (found == nullptr) return std::nullopt;
-    return reader.numbers(*found, 1, Range::any)[0];
-  };
-  result.lower = read("lower"), result.upper = read("upper");
-  result.effort = read("effort"), result.velocity = read("velocity");
+  result.lower = read_bound(element, "lower", joint, reader);
+  result.upper = read_bound(element, "upper", joint, reader);
+  result.effort = read_maximum(element, "effort", joint, reader);
+  result.velocity = read_maximum(element, "velocity", joint, reader);
   Names missing;
-  if (!result.effort) missing.push_back("effort");
-  if (!result.velocity) missing.push_back("velocity");
+  for (const char* maximum : {"effort", "velocity"})
+    if (find(element, maximum) == nullptr) missing.push_back(maximum);
   if (!missing.empty()) {
     Diagnostic& warning = reader.diagnostics().warning(
         "missing-limit", own_place,
