@@ -58,8 +58,8 @@ class ElementReader {
   // whenever it is not in `known`.
   void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all);
 
-  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`. A misspelt
-  // mandatory element is reported as missing instead.
+  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`, or affects
+  // kinematics or dynamics. A misspelt mandatory element is reported as missing instead.
   void ignore(const Element& child, const Element& parent, const Names& names);
 
   Name name(const Element& element, const char* attribute);

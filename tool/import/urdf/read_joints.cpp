@@ -48,6 +48,18 @@ Mimic read_mimic(const Element& element, ElementReader& reader) {
   return result;
 }
 
+// SDF has these attributes, and some converters keep them in a URDF.
+void report_spring(const Element& element, const Joint& joint, ElementReader& reader) {
+  const Attribute* stiffness = find(element, "spring_stiffness");
+  if (stiffness == nullptr || Number::parse(stiffness->value).value_or(Number::rational(1)).is_zero()) return;
+  const char* reference = find(element, "spring_reference") == nullptr ? "" : ", nor is its 'spring_reference'";
+  reader.diagnostics()
+      .warning(
+          "mechanics-not-read", reader.place(stiffness->span),
+          fmt::format("the 'spring_stiffness' of joint '{}' is not read{}", joint.name.text, reference))
+      .hint = "URDF has no springs; a robot document has: spring { stiffness = 20.0  rest = 0.5 }";
+}
+
 // Simulators treat a negative value as zero.
 Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
   Dynamics result;
@@ -66,6 +78,7 @@ Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader
   };
   result.damping = read("damping");
   result.friction = read("friction");
+  report_spring(element, joint, reader);
   return result;
 }
 

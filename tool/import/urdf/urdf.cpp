@@ -19,9 +19,7 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
   std::string list;
   for (const auto& [name, count] : document.ignored)
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
-  diagnostics.note(
-      "ignored-elements", document.name.place,
-      fmt::format("elements without effect on kinematics and dynamics are ignored: {}", list));
+  diagnostics.note("ignored-elements", document.name.place, fmt::format("elements that are not read: {}", list));
 }
 
 // Other dynamics programs omit damping and friction from inverse dynamics, and many files contain values that were
