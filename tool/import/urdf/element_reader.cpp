@@ -158,19 +158,20 @@ Parts ElementReader::parts(const Element& element, const Names& names) {
 const Element* ElementReader::require_part(const Element& element, const Parts& parts, const char* part) {
   const auto found = parts.find(part);
   if (found != parts.end()) return found->second;
-  report_missing_element(element, part, fmt::format("this '{}' has no element '{}'", element.name, part));
+  const Element* child = misspelt(element, part);
+  diagnostics_
+      .error(
+          "missing-element", place(child == nullptr ? element.span : child->span),
+          fmt::format("this '{}' has no element '{}'", element.name, part))
+      .hint = child == nullptr ? "" : did_you_mean(child->name, {part});
   return nullptr;
 }
 
-Diagnostic& ElementReader::report_missing_element(const Element& owner, const char* part, const std::string& message) {
-  Diagnostic& error = diagnostics_.error("missing-element", place(owner.span), message);
-  for (const Element& child : owner.children) {
-    if (did_you_mean(child.name, {part}).empty()) continue;
-    error.place.span = child.span;
-    error.hint = fmt::format("did you mean '{}'?", part);
-    break;
-  }
-  return error;
+const Element* ElementReader::misspelt(const Element& owner, const char* part) {
+  const auto found = std::find_if(owner.children.begin(), owner.children.end(), [&](const Element& child) {
+    return !did_you_mean(child.name, {part}).empty();
+  });
+  return found == owner.children.end() ? nullptr : &*found;
 }
 
 std::vector<ElementReader::Word> ElementReader::words(const Attribute& attribute) {

@@ -69,8 +69,8 @@ class ElementReader {
 
   const Element* require_part(const Element& element, const Parts& parts, const char* part);
 
-  // Reports a missing element at the element that is probably a misspelt `part`, or else at the owner.
-  Diagnostic& report_missing_element(const Element& owner, const char* part, const std::string& message);
+  // Returns the child that is probably a misspelt `part`; nullptr if there is none.
+  static const Element* misspelt(const Element& owner, const char* part);
 
   // Reads `count` numbers. Reports at most one error about the words, because the first one that is not a number may be
   // why their count is wrong.

@@ -81,9 +81,7 @@ std::string text_of(const Joint& joint) {
 
 // Contains only the elements that are read, so that a broken mesh does not prevent the generation of dynamics.
 std::string text_of(const Document& document) {
-  std::string text = fmt::format("<robot name={}", quoted(document.name.text));
-  if (!document.version.empty()) text += fmt::format(" version={}", quoted(document.version));
-  text += ">\n";
+  std::string text = fmt::format("<robot name={}>\n", quoted(document.name.text));
   for (const Link& link : document.links) text += text_of(link);
   for (const Joint& joint : document.joints) text += text_of(joint);
   return text + "</robot>\n";

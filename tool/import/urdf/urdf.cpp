@@ -67,8 +67,9 @@ std::optional<model::KinematicTree> urdf(
   read_transmissions(*root, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
-  if (!options.allow_implausible)
-    check_inertials(document, topology ? &*topology : nullptr, options.floating_base, diagnostics);
+  const Topology* tree = topology ? &*topology : nullptr;
+  check_masses(document, tree, options.floating_base, diagnostics);
+  if (!options.allow_implausible) check_inertials(document, tree, options.floating_base, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (topology) check_joints(document, *topology, options.free_mimic_joints, diagnostics);
   if (failed()) return std::nullopt;
