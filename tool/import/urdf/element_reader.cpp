@@ -27,7 +27,7 @@ std::string mechanical_meaning(const std::string& element) {
       {"force_element", kForces},
       {"loop_joint", "the loop stays open; URDF+ closes one by 'loop'"}};
   static const std::map<std::string, const char*> owners = {
-      {"axis", "'joint'"},
+      {"axis", "'joint' or 'loop'"},
       {"child", "'joint'"},
       {"coupling", "'robot'"},
       {"dynamics", "'joint'"},

@@ -116,12 +116,12 @@ void check_masses(Document& document, const Topology* topology, bool floating_ba
     if (!inertial || inertial->has_mass) continue;
     const std::string message = fmt::format("the inertial of link '{}' has no mass", document.links[l].name.text);
     const bool is_used = floating_base || moves[l];
-    Diagnostic& report =
+    Diagnostic& diagnostic =
         is_used ? diagnostics.error("missing-element", inertial->mass_place, message)
                 : diagnostics.warning("missing-element", inertial->mass_place, message + ": it is left out");
-    report.hint = inertial->mass_hint;
-    if (report.hint.empty())
-      report.hint = is_used ? "write <mass value=\"...\"/>; a link without mass has no 'inertial'" : kUnusedHint;
+    diagnostic.hint = inertial->mass_hint;
+    if (diagnostic.hint.empty())
+      diagnostic.hint = is_used ? "write <mass value=\"...\"/>; a link without mass has no 'inertial'" : kUnusedHint;
     if (!is_used) inertial.reset();
   }
 }
