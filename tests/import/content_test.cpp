@@ -283,6 +283,9 @@ TEST(Urdf, LimitsAreThoseOfTheDocument) {
   EXPECT_TRUE(
       (limits_of("prismatic", R"(<limit lower="-1e9" upper="1e+12" effort="1e9" velocity="999999999"/>)") ==
        model::JointLimits{-kNone, kNone, 999999999, kNone}));
+  EXPECT_TRUE(
+      (limits_of("revolute", R"(<limit lower="-1" upper="1" effort="-1" velocity="-1"/>)") ==
+       model::JointLimits{-1, 1, kNone, kNone}));
 }
 
 TEST(Urdf, RootFloatsWhenAskedTo) {

@@ -2,6 +2,7 @@
 // in the name set options: `-snap`, `-free-mimic`, `-floating-base`.
 //
 // If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
+#include "import/urdf/document.h"
 #include "reading.h"
 
 namespace robcogen {
@@ -47,7 +48,21 @@ TEST(Messages, OfEveryCodeHaveADocument) {
     }
   }
   codes.erase("urdf-unavailable");  // only from a generator without urdfdom
+  codes.erase("urdfdom");           // only if urdfdom refuses what this reader accepts: see the next test
   test::expect_documents(codes, folder());
+}
+
+TEST(Messages, QuoteUrdfdom) {
+  import::from_urdf::Document document;
+  document.source = std::make_shared<Source>("arm.urdf", "<robot name=\"arm\"/>");
+  document.name = {"arm", {document.source, {13, 16}}};
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_limits(document, diagnostics).empty());
+  EXPECT_EQ(
+      diagnostics.render(),
+      "arm.urdf:1:14: error: urdfdom rejects this robot: No link elements found in urdf file [urdfdom]\n"
+      "    <robot name=\"arm\"/>\n"
+      "                 ^~~\n");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using symbolic::Role;
 std::string meaning_of(Role role) {
   switch (role) {
     case Role::link_wrenches:
-      return "wrench on each link, angular first, in link coordinates about the link's origin";
+      return "wrench on each link, angular first, in axes of the frame fr_<link> about its origin";
     case Role::inertia_factor:
       return "factor L of the joint-space inertia matrix";
     case Role::parameters:

@@ -165,13 +165,13 @@ class Writer {
   }
 
   kinematics::Limits write(const model::JointLimits& limits) const {
-    // A document gives both bounds of the position. A missing one becomes as wide as in a URDF.
-    constexpr double kWide = 1e9;
+    // A document gives both bounds of the position.
+    const double lower = std::max(limits.lower, -model::kNoLimit), upper = std::min(limits.upper, model::kNoLimit);
     const auto number = [&](double value) { return write(Quantity(value)); };
     kinematics::Limits written;
     // Crossed bounds, which a URDF may have, count as none.
     if ((std::isfinite(limits.lower) || std::isfinite(limits.upper)) && limits.lower <= limits.upper)
-      written.position = {number(std::max(limits.lower, -kWide)), number(std::min(limits.upper, kWide))};
+      written.position = {number(lower), number(upper)};
     if (std::isfinite(limits.velocity)) written.velocity = number(limits.velocity);
     if (std::isfinite(limits.effort)) written.effort = number(limits.effort);
     return written;

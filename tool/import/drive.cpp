@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "import/magnitudes.h"
+
 namespace robcogen::import {
 
 namespace kinematics = language::kinematics;
@@ -65,10 +67,9 @@ class DriveDescriber {
   Diagnostics& diagnostics_;
   model::DescribedJoint& described_;
 
-  // A joint may turn more than once, but beyond a few turns the angle is probably in degrees, except for a screw.
+  // A screw may turn any number of times.
   void check_angle(const language::Expression& expression, const model::Quantity& position) {
-    constexpr double kTurns = 4.0;
-    if (described_.type == model::JointType::revolute) reader_.check_angle(expression, position, kTurns);
+    if (described_.type == model::JointType::revolute) reader_.check_angle(expression, position, kTurnsOfJoint);
   }
 
   void read(const ExpressionPtr& expression, model::Quantity& value, Place& place) {
@@ -78,7 +79,9 @@ class DriveDescriber {
   }
 
   void read_limit(const ExpressionPtr& expression, double& limit, Place& place) {
-    if (expression) read_constant(expression, "a limit", limit, place);
+    if (!expression) return;
+    read_constant(expression, "a limit", limit, place);
+    limit = model::bounded(limit);
   }
 
   void read_constant(const ExpressionPtr& expression, const char* what, double& constant, Place& place) {

@@ -113,15 +113,11 @@ Quantity QuantityReader::read(const Expression& expression, ParameterKind kind) 
 void QuantityReader::check_angle(const Expression& expression, const Quantity& angle, double turns) {
   // Several expressions may use a default value: one of them gives it.
   if (!angle.is_constant() && !gives_default(expression)) return;
+  if (angle.is_constant() && angle.number().is_pi_multiple()) return;  // intentional
   const std::optional<double> value = value_at_defaults(angle, parameters_, variables_.size());
-  // A multiple of PI is intentional, and so is 6.2832, a full turn.
-  constexpr double kTurn = 6.2833;
-  if (!value || (angle.is_constant() && angle.number().is_pi_multiple())) return;
-  if (!(std::abs(*value) >= turns * kTurn && std::abs(*value) <= kTooLarge)) return;
-  const std::string most = turns > 1.0 ? fmt::format("{} turns", turns) : "a turn";
-  diagnostics_
-      .warning("large-angle", place(expression), fmt::format("{} rad is more than {}", print_double(*value), most))
-      .hint = "angles are in rad; one degree is 'PI/180.0'";
+  const std::string message = value ? large_angle(*value, turns) : "";
+  if (message.empty()) return;
+  diagnostics_.warning("large-angle", place(expression), message).hint = "angles are in rad; one degree is 'PI/180.0'";
 }
 
 double QuantityReader::least_magnitude(const Quantity& q) const {

@@ -31,12 +31,15 @@ struct UrdfOptions {
 // - An undeclared link `world` that is the parent of joints becomes the root if no other link can be, with a warning.
 // - Mass properties include all lumped bodies, about the origin and in the axes of the model's link frame.
 // - Links and joints keep the order of the file; joint positions keep their zero and their sign.
-// - A limit of 1e9 or more means no limit, because a URDF must give a number.
+// - A limit of 1e9 or more means no limit, because a URDF must give a number, and so does a negative effort or
+// velocity.
+// - A robot without a name gets that of its file.
 // - In a name that is not an identifier, `_` replaces the other characters. Two names that become equal are an error.
 // - A joint with the name of a link becomes `<name>_joint`, because the model has frames of both.
 // Reports, with places: text that is not XML or not a URDF, joint types that the model does not have, invalid `mimic`,
-// elements that do not form one tree, and invalid names, axes and mass properties. One note lists the elements that
-// were ignored. nullopt if an error was reported.
+// elements that do not form one tree, and invalid names, axes and mass properties. Elements that affect the dynamics
+// and are not read cause warnings; one note lists the other elements that are not read. nullopt if an error was
+// reported.
 std::optional<model::KinematicTree> urdf(
     std::shared_ptr<const Source> source,
     const UrdfOptions& options,

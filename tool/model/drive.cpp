@@ -1,5 +1,7 @@
 #include "model/drive.h"
 
+#include <cmath>
+
 #include "model/kinematic_tree.h"
 
 namespace robcogen::model {
@@ -12,6 +14,10 @@ std::array<Quantity, 3> rotor_axis(const Joint& joint) {
   const auto& [x, y, z] = *joint.drive.rotor->axis;
   const Quantity length = sqrt(x * x + y * y + z * z);
   return {x / length, y / length, z / length};
+}
+
+double bounded(double limit) {
+  return std::abs(limit) < kNoLimit ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
 }
 
 }  // namespace robcogen::model

@@ -54,4 +54,10 @@ struct JointLimits {
   friend bool operator==(const JointLimits&, const JointLimits&) = default;
 };
 
+// Stands for no limit where a document must give a number, in SI units; no joint comes near it.
+inline constexpr double kNoLimit = 1e9;
+
+// Returns an infinite limit for a number that stands for none.
+double bounded(double limit);
+
 }  // namespace robcogen::model

@@ -133,6 +133,23 @@ TEST(Convert, KeepsLimits) {
   EXPECT_NE(read_text(scratch.path / "2.urdf").find("effort=\"5.0\""), std::string::npos);
 }
 
+// A robot document gives both bounds of a position, and so does a URDF. A negative effort means no limit.
+TEST(Convert, KeepsALimitOnOneSide) {
+  const Scratch scratch("one_sided_limit");
+  const fs::path urdf = scratch.path / "arm.urdf", document = scratch.path / "arm.kindsl",
+                 again = scratch.path / "2.urdf";
+  write_text(
+      urdf,
+      "<robot name='arm'><link name='base'/><link name='upper'><inertial><mass value='1'/><inertia ixx='1' ixy='0' "
+      "ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link><joint name='shoulder' type='revolute'><parent link='base'/>"
+      "<child link='upper'/><axis xyz='0 0 1'/><limit lower='-2e9' upper='1' effort='-1' velocity='2'/></joint>"
+      "</robot>");
+  ASSERT_EQ(run_tool("convert --strict " + quoted(urdf) + " " + quoted(document)).status, 0);
+  const Outcome run = run_tool("convert --strict " + quoted(document) + " " + quoted(again));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_NE(read_text(again).find("<limit lower=\"-1e+09\" upper=\"1.0\""), std::string::npos) << read_text(again);
+}
+
 TEST(Convert, NamesWhatAUrdfCannotSayOfDrives) {
   const Scratch scratch("drives");
   const fs::path urdf = scratch.path / "leg.urdf", back = scratch.path / "leg.kindsl";

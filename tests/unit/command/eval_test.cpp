@@ -106,7 +106,7 @@ note: arguments of inverse_dynamics:
   qd: array of 1 number (hinge): joint velocities (rad/s, m/s)
   qdd: array of 1 number (hinge): joint accelerations (rad/s^2, m/s^2)
   gravity: array of 3 numbers (x, y, z): gravity (m/s^2) in base coordinates; optional, (0, 0, -9.81)
-  external: object of name: array of 6 numbers (base, rod): wrench on each link, angular first, in link coordinates about the link's origin; optional, zero)";
+  external: object of name: array of 6 numbers (base, rod): wrench on each link, angular first, in axes of the frame fr_<link> about its origin; optional, zero)";
   const std::string others = R"(, "qd": [0], "qdd": [0]})";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"{\"q\": [1],\n\"qdd\": [0]}",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/magnitudes.h"
 #include "import/mjcf/document.h"
 
 namespace robcogen::import::from_mjcf {
@@ -61,10 +62,18 @@ class JointReader {
     }
   }
 
-  // Converts an angle of a hinge from the unit of the compiler.
-  Number in_radians(const Number& written) const { return is_hinge_ ? context_.settings.angle(written) : written; }
+  // Converts a position from the unit of the compiler if the joint is a hinge.
+  Number in_si_units(const Number& written, const Place& place) {
+    if (!is_hinge_) return written;
+    if (std::abs(written.value()) < model::kNoLimit)
+      context_.settings.check_angle(written, kTurnsOfJoint, place, diagnostics_);
+    return context_.settings.angle(written);
+  }
 
-  Number position(const char* attribute) { return in_radians(values_.scalar(element_, attribute)); }
+  Number position(const char* attribute) {
+    const Attribute* found = find(element_, attribute);
+    return found == nullptr ? Number() : in_si_units(values_.scalar(element_, attribute), found->place);
+  }
 
   void read_axis() {
     joint_.axis = values_.triple(element_, "axis", {Number(), Number(), Number::rational(1)});
@@ -114,8 +123,8 @@ class JointReader {
       const std::vector<Number> n = values_.numbers(*range, 2, 2);
       const bool is_given = !n[0].is_zero() || !n[1].is_zero();
       if (is_given && is_limited("limited", *range)) {
-        joint_.limits.lower = in_radians(n[0]).value();
-        joint_.limits.upper = in_radians(n[1]).value();
+        joint_.limits.lower = in_si_units(n[0], range->place).value();
+        joint_.limits.upper = in_si_units(n[1], range->place).value();
         joint_.places.position_limits = range->place;
       }
     }

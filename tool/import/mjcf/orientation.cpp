@@ -66,7 +66,7 @@ class OrientationReader {
     if (attribute.name == "xyaxes") return of_axes(attribute);
     if (attribute.name == "zaxis") return of_z_axis(attribute);
     const std::vector<Number> n = values_.numbers(attribute, 4, 4);
-    if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, settings_.angle(n[3]));
+    if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, angle(attribute, n[3]));
     const std::array<Real, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
     if (q == std::array<Real, 4>()) return no_direction(attribute);
     return rotation_of(matrix_of_quaternion(q[0], q[1], q[2], q[3]));
@@ -78,6 +78,11 @@ class OrientationReader {
     return {};
   }
 
+  Number angle(const Attribute& attribute, const Number& written) {
+    settings_.check_angle(written, 1.0, attribute.place, diagnostics_);
+    return settings_.angle(written);
+  }
+
   // Lower-case letters are axes of the rotating frame, capitals are fixed axes.
   Rotation of_euler(const Attribute& attribute) {
     const std::vector<Number> angles = values_.numbers(attribute, 3, 3);
@@ -85,7 +90,7 @@ class OrientationReader {
     for (std::size_t i = 0; i < 3; ++i) {
       const char letter = settings_.euler_sequence[i];
       const bool is_fixed = letter < 'a';
-      const Rotation turn = rotation_about(letter - (is_fixed ? 'X' : 'x'), settings_.angle(angles[i]));
+      const Rotation turn = rotation_about(letter - (is_fixed ? 'X' : 'x'), angle(attribute, angles[i]));
       result = is_fixed ? turn * result : result * turn;
     }
     return result;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "import/magnitudes.h"
+
 namespace robcogen::import::from_mjcf {
 
 namespace {
@@ -89,6 +91,13 @@ class SettingsReader {
 };
 
 }  // namespace
+
+void Settings::check_angle(const Number& written, double turns, const Place& place, Diagnostics& diagnostics) const {
+  const std::string message = degrees ? "" : large_angle(written.value(), turns);
+  if (message.empty()) return;
+  diagnostics.warning("large-angle", place, message).hint =
+      "angle=\"radian\" of 'compiler' applies to all angles; without it, they are in degrees";
+}
 
 Settings read_settings(const Element& root, Diagnostics& diagnostics) {
   SettingsReader reader(diagnostics);

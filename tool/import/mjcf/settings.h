@@ -20,6 +20,8 @@ struct Settings {
 
   // Converts an angle in the unit of the document to radians.
   Number angle(const Number& written) const { return degrees ? written * Number::pi_multiple(1, 180) : written; }
+  // Warns about an angle in radians of this many turns or more, which is probably in degrees.
+  void check_angle(const Number& written, double turns, const Place& place, Diagnostics& diagnostics) const;
 };
 
 // Later elements override earlier ones. Reports malformed values and unsupported changes of the model (global

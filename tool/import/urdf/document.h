@@ -35,13 +35,15 @@ struct Inertial {
   Origin origin;
   Number mass;
   Number ixx, ixy, ixz, iyy, iyz, izz;
-  Place mass_place;     // of the number
-  Place inertia_place;  // of the element `inertia`, or of `inertial` if that is missing
+  bool has_mass = true;
+  std::string mass_hint;  // if the mass is missing: what is probably a misspelling of it
+  Place mass_place;       // of the number, or of the element that lacks it
+  Place inertia_place;    // of the element `inertia`, or of `inertial` if that is missing
 };
 
 struct Link {
   Name name;
-  std::optional<Inertial> inertial;  // also absent if all of its values are zero
+  std::optional<Inertial> inertial;  // also absent if all of its values are given and zero
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };
@@ -117,12 +119,11 @@ inline bool has_axis(const Joint& joint) {
 struct Document {
   std::shared_ptr<const Source> source;
   Name name;
-  std::string version;  // empty if there is none
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Loop> loops;
   std::vector<Coupling> couplings;
-  std::map<std::string, int> ignored;  // number of elements without mechanical content, by name
+  std::map<std::string, int> ignored;  // number of elements that are not read, by name
 };
 
 // Whether xacro has expanded the document. Reports the first xacro instruction in an element that is read, or warns
@@ -140,8 +141,12 @@ const char* name_of(JointType type);
 // zero. With `snap` they become that multiple, with a note on each; otherwise one note counts them.
 void treat_near_multiples(Document& document, bool snap, Diagnostics& diagnostics);
 
+// Returns the inertia (kg m^2) of the rotor of a transmission, in Drake's extension of URDF; nullptr if it has none.
+const Attribute* rotor_inertia_of(const Element& transmission);
+
 // Reads the rotors of Drake's transmissions, given by `drake:rotor_inertia` and `drake:gear_ratio` of an actuator.
-// Their inertia behind the gear becomes the armature of the joint, with one note.
+// Their inertia behind the gear becomes the armature of the joint, with one note. Transmissions without a rotor are
+// counted among the elements that are not read.
 void read_transmissions(const Element& root, Document& document, Diagnostics& diagnostics);
 
 // Passes the document to urdfdom, the reader that most programs use, and reports its errors in its own words. Returns

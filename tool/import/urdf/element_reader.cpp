@@ -9,6 +9,49 @@
 #include "import/magnitudes.h"
 
 namespace robcogen::import::from_urdf {
+namespace {
+
+constexpr const char* kForces = "its forces are not part of the dynamics";
+constexpr const char* kConstraint = "the robot moves without this constraint";
+
+// Returns what the robot lacks without an element of another program that affects kinematics or dynamics, or where a
+// misplaced element of URDF belongs; empty for all other elements.
+std::string mechanical_meaning(const std::string& element) {
+  static const std::map<std::string, std::string> of_programs = {
+      {"drake:ball_constraint", kConstraint},
+      {"drake:distance_constraint", kConstraint},
+      {"drake:joint", "the robot lacks this joint"},
+      {"drake:linear_bushing_rpy", kForces},
+      {"drake:linear_spring_damper", kForces},
+      {"drake:tendon_constraint", kConstraint},
+      {"force_element", kForces},
+      {"loop_joint", "the loop stays open; URDF+ closes one by 'loop'"}};
+  static const std::map<std::string, const char*> owners = {
+      {"axis", "'joint' or 'loop'"},
+      {"child", "'joint'"},
+      {"coupling", "'robot'"},
+      {"dynamics", "'joint'"},
+      {"inertia", "'inertial'"},
+      {"inertial", "'link'"},
+      {"joint", "'robot'"},
+      {"limit", "'joint'"},
+      {"link", "'robot'"},
+      {"loop", "'robot'"},
+      {"mass", "'inertial'"},
+      {"mimic", "'joint'"},
+      {"origin", "'joint' or 'inertial'"},
+      {"parent", "'joint'"}};
+  if (const auto found = of_programs.find(element); found != of_programs.end()) return found->second;
+  const auto owner = owners.find(element);
+  return owner == owners.end() ? "" : fmt::format("it belongs in {}", owner->second);
+}
+
+// Whether elements of this name contain elements that are read.
+bool has_parts(const std::string& element) {
+  return element == "inertial" || element == "predecessor" || element == "successor";
+}
+
+}  // namespace
 
 const Attribute* find(const Element& element, const char* attribute) {
   const auto found = std::find_if(
@@ -69,7 +112,13 @@ void ElementReader::ignore(const Element& child, const Element& parent, const Na
   const std::string hint = suggestion(child.name, parent.children, names, names);
   if (!hint.empty() && hint == did_you_mean(child.name, {"parent", "child", "mass"})) return;
   if (hint.empty()) {
-    ++ignored_[child.name];
+    const std::string meaning = mechanical_meaning(child.name);
+    if (meaning.empty()) {
+      ++ignored_[child.name];
+    } else {
+      const std::string message = fmt::format("element '{}' of this '{}' is not read", child.name, parent.name);
+      diagnostics_.warning("mechanics-not-read", place(child.span), message).hint = meaning;
+    }
     return;
   }
   diagnostics_
@@ -99,6 +148,8 @@ Parts ElementReader::parts(const Element& element, const Names& names) {
               "repeated-element", place(child.span),
               fmt::format("this '{}' has a second '{}', which is ignored", element.name, child.name))
           .notes.push_back({place(first->second->span), "the first one is here"});
+    } else if (!has_parts(child.name)) {
+      for (const Element& inner : child.children) ignore(inner, child, {});
     }
   }
   return found;
@@ -107,19 +158,20 @@ Parts ElementReader::parts(const Element& element, const Names& names) {
 const Element* ElementReader::require_part(const Element& element, const Parts& parts, const char* part) {
   const auto found = parts.find(part);
   if (found != parts.end()) return found->second;
-  report_missing_element(element, part, fmt::format("this '{}' has no element '{}'", element.name, part));
+  const Element* child = misspelt(element, part);
+  diagnostics_
+      .error(
+          "missing-element", place(child == nullptr ? element.span : child->span),
+          fmt::format("this '{}' has no element '{}'", element.name, part))
+      .hint = child == nullptr ? "" : did_you_mean(child->name, {part});
   return nullptr;
 }
 
-Diagnostic& ElementReader::report_missing_element(const Element& owner, const char* part, const std::string& message) {
-  Diagnostic& error = diagnostics_.error("missing-element", place(owner.span), message);
-  for (const Element& child : owner.children) {
-    if (did_you_mean(child.name, {part}).empty()) continue;
-    error.place.span = child.span;
-    error.hint = fmt::format("did you mean '{}'?", part);
-    break;
-  }
-  return error;
+const Element* ElementReader::misspelt(const Element& owner, const char* part) {
+  const auto found = std::find_if(owner.children.begin(), owner.children.end(), [&](const Element& child) {
+    return !did_you_mean(child.name, {part}).empty();
+  });
+  return found == owner.children.end() ? nullptr : &*found;
 }
 
 std::vector<ElementReader::Word> ElementReader::words(const Attribute& attribute) {
@@ -191,6 +243,12 @@ std::array<Number, 3> ElementReader::triple(const Attribute& attribute) {
   return {n[0], n[1], n[2]};
 }
 
+void ElementReader::check_angle(const Number& angle, const Place& place, double turns) {
+  const std::string message = large_angle(angle.value(), turns);
+  if (message.empty()) return;
+  diagnostics_.warning("large-angle", place, message).hint = "angles are in rad; one degree is 0.017453292519943295";
+}
+
 Number ElementReader::scalar(const Element& element, const char* attribute) {
   const Attribute* found = require(element, attribute);
   return found == nullptr ? Number() : numbers(*found, 1)[0];
@@ -206,7 +264,10 @@ Origin ElementReader::origin(const Parts& parts) {
   if (const Attribute* rpy = find(element, "rpy")) {
     result.rpy = triple(*rpy);
     const std::vector<Word> all = words(*rpy);
-    for (std::size_t i = 0; i < 3 && i < all.size(); ++i) result.rpy_places[i] = place(all[i].span);
+    for (std::size_t i = 0; i < 3 && i < all.size(); ++i) {
+      result.rpy_places[i] = place(all[i].span);
+      check_angle(result.rpy[i], result.rpy_places[i], 1.0);
+    }
   }
   if (const Attribute* quaternion = find(element, "quat_xyzw")) {
     diagnostics_.error(

@@ -58,8 +58,8 @@ class ElementReader {
   // whenever it is not in `known`.
   void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all);
 
-  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`. A misspelt
-  // mandatory element is reported as missing instead.
+  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`, or affects
+  // kinematics or dynamics. A misspelt mandatory element is reported as missing instead.
   void ignore(const Element& child, const Element& parent, const Names& names);
 
   Name name(const Element& element, const char* attribute);
@@ -69,14 +69,17 @@ class ElementReader {
 
   const Element* require_part(const Element& element, const Parts& parts, const char* part);
 
-  // Reports a missing element at the element that is probably a misspelt `part`, or else at the owner.
-  Diagnostic& report_missing_element(const Element& owner, const char* part, const std::string& message);
+  // Returns the child that is probably a misspelt `part`; nullptr if there is none.
+  static const Element* misspelt(const Element& owner, const char* part);
 
   // Reads `count` numbers. Reports at most one error about the words, because the first one that is not a number may be
   // why their count is wrong.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t count, Range range = Range::of_a_robot);
 
   std::array<Number, 3> triple(const Attribute& attribute);
+
+  // Warns about an angle of this many turns or more, which is probably in degrees.
+  void check_angle(const Number& angle, const Place& place, double turns);
 
   Number scalar(const Element& element, const char* attribute);
 

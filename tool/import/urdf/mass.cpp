@@ -21,6 +21,7 @@ constexpr double kRounding = 1e-2;
 // point mass are differences of moments of that size, computed in doubles.
 constexpr double kNoise = 1e-11;
 const char* const kHint = "--allow-implausible makes this a warning";
+const char* const kUnusedHint = "the link does not move: no result depends on it";
 
 // Eigenvalues of the tensor in ascending order, as the roots of its characteristic polynomial (Smith 1961).
 std::array<double, 3> principal_moments(const Inertial& i) {
@@ -72,7 +73,7 @@ void report(bool is_used, const char* code, const Place& place, const std::strin
   if (is_used) {
     diagnostics.error(code, place, message).hint = kHint;
   } else {
-    diagnostics.warning(code, place, message).hint = "the link does not move: no result depends on it";
+    diagnostics.warning(code, place, message).hint = kUnusedHint;
   }
 }
 
@@ -107,6 +108,23 @@ model::Inertia part_of_body(const PlacedInertial& part) {
 }
 
 }  // namespace
+
+void check_masses(Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics) {
+  const std::vector<bool> moves = moved(document, topology);
+  for (std::size_t l = 0; l < document.links.size(); ++l) {
+    std::optional<Inertial>& inertial = document.links[l].inertial;
+    if (!inertial || inertial->has_mass) continue;
+    const std::string message = fmt::format("the inertial of link '{}' has no mass", document.links[l].name.text);
+    const bool is_used = floating_base || moves[l];
+    Diagnostic& diagnostic =
+        is_used ? diagnostics.error("missing-element", inertial->mass_place, message)
+                : diagnostics.warning("missing-element", inertial->mass_place, message + ": it is left out");
+    diagnostic.hint = inertial->mass_hint;
+    if (diagnostic.hint.empty())
+      diagnostic.hint = is_used ? "write <mass value=\"...\"/>; a link without mass has no 'inertial'" : kUnusedHint;
+    if (!is_used) inertial.reset();
+  }
+}
 
 void check_inertials(const Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics) {
   const std::vector<double> reach = reaches(document, topology);

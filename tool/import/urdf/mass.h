@@ -7,6 +7,10 @@
 
 namespace robcogen::import::from_urdf {
 
+// Reports inertials without a mass: as errors, or as warnings for a link of a fixed base, whose inertial is removed.
+// `topology` is nullptr if it has errors.
+void check_masses(Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics);
+
 // Reports negative masses, and tensors that are not positive semi-definite beyond rounding: as errors, or as warnings
 // for a link of a fixed base. `topology` is nullptr if it has errors.
 void check_inertials(const Document& document, const Topology* topology, bool floating_base, Diagnostics& diagnostics);

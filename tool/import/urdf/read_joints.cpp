@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "import/magnitudes.h"
 #include "import/urdf/joint_attributes.h"
 #include "import/urdf/read.h"
 
@@ -45,6 +48,18 @@ Mimic read_mimic(const Element& element, ElementReader& reader) {
   return result;
 }
 
+// SDF has these attributes, and some converters keep them in a URDF.
+void report_spring(const Element& element, const Joint& joint, ElementReader& reader) {
+  const Attribute* stiffness = find(element, "spring_stiffness");
+  if (stiffness == nullptr || Number::parse(stiffness->value).value_or(Number::rational(1)).is_zero()) return;
+  const char* reference = find(element, "spring_reference") == nullptr ? "" : ", nor is its 'spring_reference'";
+  reader.diagnostics()
+      .warning(
+          "mechanics-not-read", reader.place(stiffness->span),
+          fmt::format("the 'spring_stiffness' of joint '{}' is not read{}", joint.name.text, reference))
+      .hint = "URDF has no springs; a robot document has: spring { stiffness = 20.0  rest = 0.5 }";
+}
+
 // Simulators treat a negative value as zero.
 Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
   Dynamics result;
@@ -63,7 +78,39 @@ Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader
   };
   result.damping = read("damping");
   result.friction = read("friction");
+  report_spring(element, joint, reader);
   return result;
+}
+
+// Exporters write -1 for a limit that is not enforced.
+std::optional<Number> read_maximum(
+    const Element& element,
+    const char* attribute,
+    const Joint& joint,
+    ElementReader& reader) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return std::nullopt;
+  const Number value = reader.numbers(*found, 1, Range::any)[0];
+  if (value.value() >= 0) return value;
+  reader.diagnostics().warning(
+      "negative-limit", reader.place(found->span),
+      fmt::format(
+          "the {} limit of joint '{}' is negative: {}; taken as unlimited", attribute, joint.name.text,
+          print_double(value.value())));
+  return std::nullopt;
+}
+
+std::optional<Number> read_bound(
+    const Element& element,
+    const char* attribute,
+    const Joint& joint,
+    ElementReader& reader) {
+  const Attribute* found = find(element, attribute);
+  if (found == nullptr) return std::nullopt;
+  const Number value = reader.numbers(*found, 1, Range::any)[0];
+  if (joint.type == JointType::revolute && std::abs(value.value()) < model::kNoLimit)
+    reader.check_angle(value, reader.place(found->span), kTurnsOfJoint);
+  return value;
 }
 
 Limit read_limit(const Element& element, const Joint& joint, ElementReader& reader) {
@@ -71,16 +118,13 @@ Limit read_limit(const Element& element, const Joint& joint, ElementReader& read
   const Place own_place = reader.place(element.span);
   const Names known = {"lower", "upper", "effort", "velocity"};
   reader.check_attributes(element, {"lower", "upper"}, known, false);
-  const auto read = [&](const char* attribute) -> std::optional<Number> {
-    const Attribute* found = find(element, attribute);
-    if (found == nullptr) return std::nullopt;
-    return reader.numbers(*found, 1, Range::any)[0];
-  };
-  result.lower = read("lower"), result.upper = read("upper");
-  result.effort = read("effort"), result.velocity = read("velocity");
+  result.lower = read_bound(element, "lower", joint, reader);
+  result.upper = read_bound(element, "upper", joint, reader);
+  result.effort = read_maximum(element, "effort", joint, reader);
+  result.velocity = read_maximum(element, "velocity", joint, reader);
   Names missing;
-  if (!result.effort) missing.push_back("effort");
-  if (!result.velocity) missing.push_back("velocity");
+  for (const char* maximum : {"effort", "velocity"})
+    if (find(element, maximum) == nullptr) missing.push_back(maximum);
   if (!missing.empty()) {
     Diagnostic& warning = reader.diagnostics().warning(
         "missing-limit", own_place,

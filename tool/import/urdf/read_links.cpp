@@ -52,9 +52,11 @@ Inertial read_inertial(const Element& element, const std::string& link, ElementR
     result.mass = reader.scalar(*mass->second, "value");
     if (const Attribute* value = find(*mass->second, "value")) result.mass_place = reader.place(value->span);
   } else {
-    Diagnostic& error =
-        reader.report_missing_element(element, "mass", fmt::format("the inertial of link '{}' has no mass", link));
-    if (error.hint.empty()) error.hint = "write <mass value=\"...\"/>; a link without mass has no 'inertial'";
+    result.has_mass = false;  // see check_masses
+    if (const Element* child = ElementReader::misspelt(element, "mass")) {
+      result.mass_place = reader.place(child->span);
+      result.mass_hint = did_you_mean(child->name, {"mass"});
+    }
   }
   if (const auto inertia = own.find("inertia"); inertia != own.end()) {
     result.inertia_place = reader.place(inertia->second->span);
@@ -76,7 +78,7 @@ Link read_link(const Element& element, ElementReader& reader) {
   const auto inertial = own.find("inertial");
   if (inertial == own.end()) return result;
   const Inertial read = read_inertial(*inertial->second, result.name.text, reader);
-  if (is_inertia(read)) result.inertial = read;
+  if (is_inertia(read) || !read.has_mass) result.inertial = read;
   return result;
 }
 

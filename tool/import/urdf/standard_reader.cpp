@@ -6,8 +6,6 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "import/urdf/document.h"
@@ -83,9 +81,7 @@ std::string text_of(const Joint& joint) {
 
 // Contains only the elements that are read, so that a broken mesh does not prevent the generation of dynamics.
 std::string text_of(const Document& document) {
-  std::string text = fmt::format("<robot name={}", quoted(document.name.text));
-  if (!document.version.empty()) text += fmt::format(" version={}", quoted(document.version));
-  text += ">\n";
+  std::string text = fmt::format("<robot name={}>\n", quoted(document.name.text));
   for (const Link& link : document.links) text += text_of(link);
   for (const Joint& joint : document.joints) text += text_of(joint);
   return text + "</robot>\n";
@@ -104,13 +100,8 @@ Place place_of(const std::string& message, const Document& document) {
   return document.name.place;
 }
 
-// A URDF must give a number, and uses a large one for no limit.
-double bounded(double limit) {
-  constexpr double kNone = 1e9;
-  return std::abs(limit) < kNone ? limit : std::copysign(std::numeric_limits<double>::infinity(), limit);
-}
-
 model::JointLimits limits_of(const Joint& joint, const urdf::JointLimits& read) {
+  using model::bounded;
   model::JointLimits limits;
   if (!joint.limit) return limits;
   if (joint.type != JointType::continuous) limits.lower = bounded(read.lower), limits.upper = bounded(read.upper);

@@ -19,9 +19,7 @@ void note_ignored(const Document& document, Diagnostics& diagnostics) {
   std::string list;
   for (const auto& [name, count] : document.ignored)
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
-  diagnostics.note(
-      "ignored-elements", document.name.place,
-      fmt::format("elements without effect on kinematics and dynamics are ignored: {}", list));
+  diagnostics.note("ignored-elements", document.name.place, fmt::format("elements that are not read: {}", list));
 }
 
 // Other dynamics programs omit damping and friction from inverse dynamics, and many files contain values that were
@@ -69,8 +67,9 @@ std::optional<model::KinematicTree> urdf(
   read_transmissions(*root, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
-  if (!options.allow_implausible)
-    check_inertials(document, topology ? &*topology : nullptr, options.floating_base, diagnostics);
+  const Topology* tree = topology ? &*topology : nullptr;
+  check_masses(document, tree, options.floating_base, diagnostics);
+  if (!options.allow_implausible) check_inertials(document, tree, options.floating_base, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (topology) check_joints(document, *topology, options.free_mimic_joints, diagnostics);
   if (failed()) return std::nullopt;

@@ -1,9 +1,7 @@
 // Finds xacro instructions in a URDF: until they are expanded, the robot is incomplete.
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "import/urdf/document.h"
+#include "import/urdf/element_reader.h"
 
 namespace robcogen::import::from_urdf {
 
@@ -14,7 +12,7 @@ struct Instruction {
   std::string text;  // for a message, as in `element 'xacro:include'`
 };
 
-// Instructions in elements that are read, and in elements that are ignored: meshes, simulators, transmissions.
+// Instructions in elements that are read, and in elements that are ignored: meshes, simulators, most transmissions.
 struct Instructions {
   std::vector<Instruction> read, ignored;
 };
@@ -26,6 +24,25 @@ bool is_expression(const std::string& value) {
 // Older versions of xacro had no namespace.
 bool is_instruction(const Element& element, bool is_top_level) {
   return element.name.starts_with("xacro:") || (is_top_level && (element.name == "macro" || element.name == "include"));
+}
+
+// Whether a child of an element that is read is read too.
+bool is_read_in(const Element& parent, const Element& child) {
+  static const std::map<std::string, Names> read = {
+      {"robot", {"link", "joint", "loop", "coupling"}},
+      {"link", {"inertial"}},
+      {"inertial", {"origin", "mass", "inertia"}},
+      {"joint", {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"}},
+      {"loop", {"predecessor", "successor", "axis"}},
+      {"predecessor", {"origin"}},
+      {"successor", {"origin"}},
+      {"coupling", {"predecessor", "successor", "ratio"}},
+      {"transmission", {"joint", "actuator"}},
+      {"actuator", {"drake:rotor_inertia", "drake:gear_ratio"}}};
+  if (child.name == "transmission") return parent.name == "robot" && rotor_inertia_of(child) != nullptr;
+  const auto names = read.find(parent.name);
+  return names != read.end() &&
+         std::find(names->second.begin(), names->second.end(), child.name) != names->second.end();
 }
 
 void collect(const Element& element, bool is_read, Instructions& found) {
@@ -40,11 +57,7 @@ void collect(const Element& element, bool is_read, Instructions& found) {
       found.read.push_back({child.span, fmt::format("element '{}'", child.name)});
       continue;  // its content is part of the instruction
     }
-    const auto names = is_robot                  ? std::vector{"link", "joint"}
-                       : element.name == "link"  ? std::vector{"inertial"}
-                       : element.name == "joint" ? std::vector{"origin", "parent", "child", "axis", "limit", "mimic"}
-                                                 : std::vector{"origin", "mass", "inertia"};
-    collect(child, is_read && std::find(names.begin(), names.end(), child.name) != names.end(), found);
+    collect(child, is_read && is_read_in(element, child), found);
   }
 }
 

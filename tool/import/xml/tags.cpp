@@ -2,6 +2,7 @@
 // recursively.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "import/xml/xml.h"
@@ -24,6 +25,11 @@ bool starts_name(char c) {
   return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' || byte == ':' || byte >= 127;
 }
 
+// Whether declarations in brackets follow, as in `<!DOCTYPE robot [<!ENTITY m "1">]>`.
+bool has_internal_subset(std::string_view declaration) {
+  return declaration[std::min(declaration.find_first_of("[>"), declaration.size() - 1)] == '[';
+}
+
 class TagScanner {
  public:
   TagScanner(const std::shared_ptr<const Source>& source, std::string_view text, Diagnostics& diagnostics)
@@ -36,6 +42,11 @@ class TagScanner {
         skip_past("-->", 4, "comment");
       } else if (rest.starts_with("<![CDATA[")) {
         skip_past("]]>", 9, "section of character data");
+      } else if (rest.starts_with("<!DOCTYPE") && has_internal_subset(rest)) {
+        is_sound_ = false;
+        diagnostics_
+            .error("unsupported-dtd", place({at_, at_ + 9}), "this document type definition (DTD) is not supported")
+            .hint = "replace the entities by their texts, and remove <!DOCTYPE ...>";
       } else if (rest.starts_with("<?") || rest.starts_with("<!")) {
         skip_past(">", 2, "declaration");
       } else if (rest.starts_with("</")) {
