@@ -2,6 +2,10 @@
 // MuJoCo.)
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "export/kinematics.h"
 #include "import/mjcf.h"
 #include "language/kinematics/document.h"
@@ -37,6 +41,23 @@ TEST(Mjcf, OrientationsAreExact) {
         "xyaxes='1 0 0 1 0 2'", "zaxis='0 -3 0'"})
     EXPECT_EQ(robot_document(arm(same, "")), expected) << same;
   EXPECT_EQ(robot_document(arm("quat='0 0 1 0'", "", radians)), robot_document(arm("euler='0 180 0'", "")));
+}
+
+// MuJoCo 2.2.2 gives these rotations: z points from the second point to the first, by the smallest rotation.
+TEST(Mjcf, SitesOfSegmentsTurnAsLittleAsPossible) {
+  const auto expect_rotation = [](const std::string& ends, const std::array<std::array<double, 3>, 3>& expected) {
+    const std::string site = "<site name='s' type='capsule' size='0.01' fromto='" + ends + "'/>";
+    const std::vector<model::UserFrame> frames = tree_of(arm("", site)).user_frames;
+    const auto frame = std::find_if(frames.begin(), frames.end(), [](const auto& f) { return f.name == "s"; });
+    ASSERT_NE(frame, frames.end());
+    const auto R = model::rotation_matrix(frame->placement);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(model::evaluate(R[i][k]), expected[i][k], 1e-15) << ends;
+  };
+  const double a = 1.0 / 3.0, b = 2.0 / 3.0;
+  expect_rotation("0 0 0 0.2 0.1 0.2", {{{-a, -b, -b}, {-b, b, -a}, {b, a, -b}}});
+  expect_rotation("0 0 0 0 0 1", {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}});
+  expect_rotation("0 0 1 0 0 0", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
 }
 
 TEST(Mjcf, FramesMoveWhatTheyHold) {

@@ -43,14 +43,16 @@ const Attribute* find(const Element& element, const std::string& attribute);
 bool is_orientation(const Attribute& attribute);
 bool has_orientation(const Element& element);
 
-// Reads values of attributes. Malformed values are reported and read as zeros.
+// Reads values of attributes. Malformed values are reported.
 class Values {
  public:
   explicit Values(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  // Reads between `least` and `most` numbers.
+  // Reads between `least` and `most` numbers; nullopt if the value is malformed.
+  std::optional<std::vector<Number>> read(const Attribute& attribute, std::size_t least, std::size_t most);
+  // The same; returns `least` zeros if the value is malformed.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t least, std::size_t most);
-  // Reads a number; returns `otherwise` if there is no such attribute.
+  // Reads a number; returns `otherwise` if there is no such attribute, or if its value is malformed.
   Number scalar(const Element& element, const char* attribute, const Number& otherwise = Number());
   std::array<Number, 3> triple(const Element& element, const char* attribute, const std::array<Number, 3>& otherwise);
   // Reads one of the words and returns its index; `otherwise` if there is no such attribute.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "import/mjcf/read.h"
+#include "import/mjcf/segment.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -72,17 +73,12 @@ class BodyReader {
     return own != nullptr && defaults_.knows(*own) ? own : outer;
   }
 
-  // With `fromto`, the origin is the middle of the segment, and z is along it.
+  // With `fromto`, the origin is the middle of the segment, and z points from the second point to the first.
   Pose site_pose(const Element& site) {
-    const Attribute* ends = find(site, "fromto");
-    if (ends == nullptr) return pose_of(site, settings_, diagnostics_);
-    const std::vector<Number> n = Values(diagnostics_).numbers(*ends, 6, 6);
-    Pose pose;
-    for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(Number::rational(1, 2) * (n[i] + n[i + 3]));
-    const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
-    if (std::any_of(along.begin(), along.end(), [](const Number& x) { return !x.is_zero(); }))
-      pose.rotation = rotation_to_axis(along);
-    return pose;
+    const Attribute* type = find(site, "type");
+    const std::optional<Segment> segment = read_segment(site, type == nullptr ? "sphere" : type->value, diagnostics_);
+    if (segment) return {segment->middle, smallest_rotation_to_axis(segment->along)};
+    return pose_of(site, settings_, diagnostics_);
   }
 
   void read_body(const Element& e, const OpenBody& parent, const Pose& frame, const Attribute* outer_class) {
