@@ -74,6 +74,48 @@ TEST(Mjcf, FramesChooseTheClassOfTheirContent) {
       robot_document(arm("", "<site name='s' pos='9 0 0'/>")));
 }
 
+// Two bodies on hinges, of which one follows the other.
+std::string coupled(const std::string& before, const std::string& equality) {
+  const auto body = [](const std::string& name, const std::string& joint) {
+    return "<body name='" + name + "'><joint name='" + joint + "' frictionloss='2'/>" + kInertial + "</body>";
+  };
+  return "<mujoco>" + before + "<worldbody>" + body("left", "a") + body("right", "b") + "</worldbody><equality>" +
+         equality + "</equality></mujoco>";
+}
+
+TEST(Mjcf, FlagsDisableConstraints) {
+  const auto tree = [](const std::string& flags) {
+    return tree_of(coupled("<option><flag " + flags + "/></option>", "<joint joint1='a' joint2='b'/>"));
+  };
+  const auto friction = [](const model::KinematicTree& robot) {
+    return model::evaluate(robot.joints[0].drive.friction);
+  };
+  EXPECT_EQ(tree("equality='enable' limit='disable'").dof(), 1);
+  EXPECT_EQ(friction(tree("equality='disable'")), 2.0);
+  EXPECT_EQ(tree("equality='disable'").dof(), 2);
+  EXPECT_EQ(tree("frictionloss='disable'").dof(), 1);
+  EXPECT_EQ(friction(tree("frictionloss='disable'")), 0.0);
+  EXPECT_EQ(tree("constraint='disable'").dof(), 2);
+  EXPECT_EQ(friction(tree("constraint='disable' equality='enable'")), 0.0);
+}
+
+TEST(Mjcf, EqualitiesHaveDefaults) {
+  const std::string defaults =
+      "<default><equality active='false'/><default class='on'><equality active='true'/></default></default>";
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint joint1='a' joint2='b'/>")).dof(), 2);
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint class='on' joint1='a' joint2='b'/>")).dof(), 1);
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint active='true' joint1='a' joint2='b'/>")).dof(), 1);
+}
+
+TEST(Mjcf, PolynomialsOfEqualitiesMayBeShort) {
+  const auto document = [](const std::string& polynomial) {
+    return robot_document(coupled("", "<joint joint1='a' joint2='b' " + polynomial + "/>"));
+  };
+  EXPECT_EQ(document("polycoef='0.5'"), document("polycoef='0.5 1 0 0 0'"));
+  EXPECT_EQ(document("polycoef='0.5 -2'"), document("polycoef='0.5 -2 0 0 0'"));
+  EXPECT_EQ(document("polycoef='0 1 0'"), document(""));
+}
+
 TEST(Mjcf, LimitsFollowRanges) {
   const auto limits = [](const std::string& joint, const std::string& compiler = "") {
     const std::string body = "<body name='b'><joint name='j' " + joint + "/>" + kInertial + "</body>";

@@ -66,13 +66,13 @@ const Defaults::Class* Defaults::find_class(const Attribute& name) const {
   return nullptr;
 }
 
-Element Defaults::resolved(const Element& element, const Attribute* childclass) const {
+Element Defaults::resolved(const Element& element, const Attribute* childclass, const std::string& kind) const {
   const Attribute* own = find(element, "class");
   const Attribute* asked = own != nullptr ? own : childclass;
   const Class* from = asked == nullptr ? &classes_.front() : find_class(*asked);
   Element result = element;
   if (from == nullptr) return result;
-  const auto found = from->attributes.find(element.name);
+  const auto found = from->attributes.find(kind);
   if (found == from->attributes.end()) return result;
   std::vector<Attribute> inherited = found->second;
   // An element gives its orientation in one way only.

@@ -19,7 +19,11 @@ class Defaults {
 
   // Returns the element with all attributes that apply to it: its own, then those of its `class`, or else of
   // `childclass`, or else of the top-level class. Reports an undeclared `class`.
-  Element resolved(const Element& element, const Attribute* childclass) const;
+  Element resolved(const Element& element, const Attribute* childclass) const {
+    return resolved(element, childclass, element.name);
+  }
+  // The same for an element whose defaults are those of the elements named `kind`.
+  Element resolved(const Element& element, const Attribute* childclass, const std::string& kind) const;
 
  private:
   struct Class {

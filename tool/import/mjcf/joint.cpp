@@ -80,7 +80,7 @@ class JointReader {
 
   void read_drive() {
     read_value("damping", joint_.drive.damping, joint_.places.damping);
-    read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
+    if (context_.settings.has_friction()) read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
     read_value("armature", joint_.drive.armature, joint_.places.armature);
     read_value("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
     if (!joint_.drive.stiffness.is_zero()) joint_.drive.rest = quantity(position("springref"));

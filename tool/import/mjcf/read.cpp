@@ -42,7 +42,7 @@ Document read_document(const Element& root, const Options& options, Diagnostics&
     if (section.name == "worldbody") {
       read_bodies(section, settings, defaults, document, diagnostics);
     } else if (section.name == "equality") {
-      read_equalities(section, options, document, diagnostics);
+      read_equalities(section, settings, defaults, options, document, diagnostics);
     } else {
       ignore_section(section, document, diagnostics);
     }

@@ -62,11 +62,17 @@ class SettingsReader {
   }
 
   void check_flags(const Element& flags) {
+    const auto enabled = [&](const char* what, bool otherwise) {
+      return values_.word(flags, what, {"disable", "enable"}, otherwise ? 1 : 0) == 1;
+    };
+    settings.constraints = enabled("constraint", settings.constraints);
+    settings.equalities = enabled("equality", settings.equalities);
+    settings.friction = enabled("frictionloss", settings.friction);
     for (const char* what : {"gravity", "passive", "spring", "damper"}) {
-      const Attribute* flag = find(flags, what);
-      if (flag == nullptr || flag->value != "disable") continue;
+      if (enabled(what, true)) continue;
       diagnostics_.warning(
-          "flag-ignored", flag->place, fmt::format("the flag that disables '{}' in MuJoCo is ignored", what));
+          "flag-ignored", find(flags, what)->place,
+          fmt::format("the flag that disables '{}' in MuJoCo is ignored", what));
     }
   }
 
