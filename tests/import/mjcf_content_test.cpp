@@ -70,8 +70,36 @@ TEST(Mjcf, FramesChooseTheClassOfTheirContent) {
   const std::string defaults =
       "<default><site pos='1 0 0'/><default class='far'><site pos='9 0 0' euler='0 0 30'/></default></default>";
   EXPECT_EQ(
-      robot_document(arm("", "<frame childclass='far'><site name='s' quat='1 0 0 0'/></frame>", defaults)),
-      robot_document(arm("", "<site name='s' pos='9 0 0'/>")));
+      robot_document(arm("", "<frame childclass='far'><site name='s'/></frame>", defaults)),
+      robot_document(arm("", "<site name='s' pos='9 0 0' euler='0 0 30'/>")));
+}
+
+// As in MuJoCo, where a `quat` and an alternative to it are two attributes, and the alternative prevails.
+TEST(Mjcf, OrientationsReplaceInheritedOnes) {
+  const auto site = [](const std::string& outer, const std::string& inner, const std::string& own) {
+    return robot_document(
+        arm("", "<site class='c' name='s' " + own + "/>",
+            "<default><site " + outer + "/><default class='c'><site " + inner + "/></default></default>"));
+  };
+  const std::string about_x = "euler='90 0 0'", about_y = "euler='0 90 0'";
+  const std::string quaternion = "quat='1 0 0 1'", direction = "zaxis='1 2 3'";
+  EXPECT_EQ(site(quaternion, about_x, ""), site("", "", about_x));
+  EXPECT_EQ(site(direction, about_x, ""), site("", "", about_x));
+  EXPECT_EQ(site(direction, about_x, about_y), site("", "", about_y));
+  EXPECT_EQ(site("quat='1 1 0 0'", quaternion, ""), site("", "", quaternion));
+  EXPECT_EQ(site(about_x, quaternion, ""), site("", "", about_x));
+  EXPECT_EQ(site(about_x, "", quaternion), site("", "", about_x));
+  EXPECT_EQ(site(about_x, quaternion, about_y), site("", "", about_y));
+}
+
+TEST(Mjcf, ShorterSizesReplaceTheFirstNumbers) {
+  const auto geom = [](const std::string& inherited, const std::string& own) {
+    const std::string content = "<body><geom type='box' size='" + own + "'/></body>";
+    return robot_document(arm("", content, "<default><geom size='" + inherited + "'/></default>"));
+  };
+  EXPECT_EQ(geom("1 2 3", "4"), geom("", "4 2 3"));
+  EXPECT_EQ(geom("1 2 3", "4 5"), geom("1", "4 5 3"));
+  EXPECT_EQ(geom("1 2", "4 5 6"), geom("", "4 5 6"));
 }
 
 // Two bodies on hinges, of which one follows the other.
