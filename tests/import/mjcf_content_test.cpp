@@ -166,6 +166,20 @@ TEST(Mjcf, BodiesWithoutJointsAreParts) {
   EXPECT_DOUBLE_EQ(model::evaluate(tree.links[1].inertia->com[2]), 0.6);
 }
 
+TEST(Mjcf, GeomsOfSomeGroupsHaveMass) {
+  const auto mass = [](const std::string& range) {
+    const std::string geoms =
+        "<geom size='1' mass='1'/><geom size='1' mass='2' group='2'/><geom type='mesh' group='4'/>";
+    const model::KinematicTree tree =
+        tree_of(arm("", "<body>" + geoms + "</body>", "<compiler inertiagrouprange='" + range + "'/>"));
+    return model::evaluate(tree.links[1].inertia->mass) - 1.0;
+  };
+  EXPECT_DOUBLE_EQ(mass("0 0"), 1.0);
+  EXPECT_DOUBLE_EQ(mass("0 3"), 3.0);
+  EXPECT_DOUBLE_EQ(mass("1 2"), 2.0);
+  EXPECT_DOUBLE_EQ(mass("3 3"), 0.0);
+}
+
 TEST(Mjcf, GeomsOfFixedBodiesNeedNoMass) {
   const model::KinematicTree tree = tree_of(
       arm("", "").insert(sizeof "<mujoco model='m'><worldbody>" - 1, "<body name='table'><geom type='mesh'/></body>"));

@@ -57,12 +57,11 @@ class GeomReader {
     const Attribute* mass = find(element_, "mass");
     const Number density = values_.scalar(element_, "density", Number(kWater));
     const std::string shape = shapes()[values_.word(element_, "type", shapes(), 0)];
-    if (shape == "plane" || shape == "hfield") return std::nullopt;
+    if (shape == "plane" || shape == "hfield" || !is_in_range(values_.scalar(element_, "group"))) return std::nullopt;
     if (mass == nullptr ? density.is_zero() : values_.scalar(element_, "mass").is_zero()) return std::nullopt;
     if (shape == "mesh" || shape == "sdf" || find(element_, "mesh") != nullptr) return refuse("of a mesh");
     if (const Attribute* shell = find(element_, "shellinertia"); shell != nullptr && shell->value == "true")
       return refuse("of a shell");
-    if (context_.settings.group_range.source) return refuse("of geoms of some groups ('inertiagrouprange')");
 
     Part part;
     const Moments moments = read_shape(shape, part.pose);
@@ -79,6 +78,11 @@ class GeomReader {
   }
 
  private:
+  bool is_in_range(const Number& group) const {
+    const Settings& settings = context_.settings;
+    return group.value() >= settings.first_group.value() && group.value() <= settings.last_group.value();
+  }
+
   std::optional<Part> refuse(const std::string& what) {
     context_.diagnostics
         .error(

@@ -27,7 +27,7 @@ class SettingsReader {
     settings.balances_inertias = flag(e, "balanceinertia", settings.balances_inertias);
     settings.least_mass = values_.scalar(e, "boundmass", settings.least_mass);
     settings.least_moment = values_.scalar(e, "boundinertia", settings.least_moment);
-    if (const Attribute* range = find(e, "inertiagrouprange")) settings.group_range = range->place;
+    if (const Attribute* range = find(e, "inertiagrouprange")) read_groups(*range);
     if (values_.word(e, "coordinate", {"local", "global"}, 0) == 1)
       refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
           "versions of MuJoCo that read global coordinates save the model with local ones";
@@ -59,6 +59,13 @@ class SettingsReader {
  private:
   bool flag(const Element& e, const char* attribute, bool otherwise) {
     return values_.word(e, attribute, {"false", "true"}, otherwise ? 1 : 0) == 1;
+  }
+
+  void read_groups(const Attribute& range) {
+    const std::optional<std::vector<Number>> groups = values_.read(range, 2, 2);
+    if (!groups) return;
+    settings.first_group = (*groups)[0];
+    settings.last_group = (*groups)[1];
   }
 
   void check_flags(const Element& flags) {

@@ -17,7 +17,7 @@ struct Settings {
   bool balances_inertias = false;
   bool constraints = true, equalities = true, friction = true;  // false: disabled by a flag
   Number least_mass, least_moment;                              // MuJoCo raises smaller values
-  Place group_range;  // of geoms that have mass; without a source: all geoms have mass
+  Number first_group, last_group = Number(5.0);                 // of the geoms from which bodies take their mass
 
   // Equalities and friction are constraints, too.
   bool has_equalities() const { return constraints && equalities; }
