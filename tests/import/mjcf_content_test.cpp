@@ -66,6 +66,23 @@ TEST(Mjcf, FramesMoveWhatTheyHold) {
   EXPECT_EQ(robot_document(arm("", nested)), robot_document(arm("", "<site name='s' pos='-1 2 1' euler='0 0 90'/>")));
 }
 
+TEST(Mjcf, FramesMoveJoints) {
+  const auto document = [](const std::string& joint) {
+    return robot_document("<mujoco><worldbody><body name='b'>" + joint + kInertial + "</body></worldbody></mujoco>");
+  };
+  const std::string outer = "<frame pos='0 0 1' euler='90 0 0'>", inner = "<frame pos='1 0 0'>";
+  for (const std::string type : {"type='hinge' ref='10'", "type='slide' ref='0.1'"})
+    EXPECT_EQ(
+        document(outer + inner + "<joint name='j' pos='0 0 2' " + type + "/></frame></frame>"),
+        document("<joint name='j' pos='1 -2 1' axis='0 -1 0' " + type + "/>"))
+        << type;
+  EXPECT_EQ(
+      document(outer + "<joint name='j' type='ball' pos='0 0 2'/></frame>"),
+      document("<joint name='j' type='ball' pos='0 -2 1'/>"));
+  EXPECT_EQ(document(outer + "<freejoint/></frame>"), document("<freejoint/>"));
+  EXPECT_EQ(document("<frame childclass='main'><joint name='j'/></frame>"), document("<joint name='j'/>"));
+}
+
 TEST(Mjcf, FramesChooseTheClassOfTheirContent) {
   const std::string defaults =
       "<default><site pos='1 0 0'/><default class='far'><site pos='9 0 0' euler='0 0 30'/></default></default>";

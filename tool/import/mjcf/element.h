@@ -28,8 +28,8 @@ struct Element {
 };
 
 // Returns the root element, with each `include` replaced by the content of its file. Paths of included files are
-// relative to `file`, and are appended to `included`. Reports text that is not XML, files that cannot be read, files
-// that include themselves and, as MuJoCo does, files that are included twice.
+// relative to `file`, or else to the file that includes them, and are appended to `included`. Reports text that is not
+// XML, files that cannot be read, files that include themselves and, as MuJoCo does, files that are included twice.
 std::optional<Element> read_with_includes(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
@@ -42,6 +42,9 @@ const Attribute* find(const Element& element, const std::string& attribute);
 // Whether the attribute is one of the five ways to give an orientation.
 bool is_orientation(const Attribute& attribute);
 bool has_orientation(const Element& element);
+
+// Whether one of the coefficients of a force, one to three numbers, is not zero. Reports malformed values.
+bool has_nonzero(const Attribute& attribute, Diagnostics& diagnostics);
 
 // Reads values of attributes. Malformed values are reported.
 class Values {

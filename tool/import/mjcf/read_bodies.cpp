@@ -54,7 +54,7 @@ class BodyReader {
         const Pose pose = frame * pose_of(e, settings_, diagnostics_);
         read_content(e, body, pose, class_of_content(e, childclass));
       } else if (e.name == "joint" || e.name == "freejoint") {
-        read_joint_of(e, parent, body, childclass);
+        read_joint_of(e, body, frame, childclass);
       } else if (e.name == "geom") {
         body.geoms.push_back({defaults_.resolved(e, childclass), frame});
       } else if (e.name == "site") {
@@ -119,9 +119,9 @@ class BodyReader {
     }
   }
 
-  void read_joint_of(const Element& e, const Element& parent, OpenBody& body, const Attribute* childclass) {
-    if (parent.name == "frame" || body.index == 0) {
-      diagnostics_.error("misplaced-element", e.place, "a joint belongs to a body, not to this element");
+  void read_joint_of(const Element& e, OpenBody& body, const Pose& frame, const Attribute* childclass) {
+    if (body.index == 0) {
+      diagnostics_.error("misplaced-element", e.place, "a joint belongs to a body, not to the world");
       return;
     }
     Body& own = document_.bodies[body.index];
@@ -140,6 +140,7 @@ class BodyReader {
       if (!is_freejoint) check_free_joint(joint);
     } else if (std::optional<Joint> read = read_joint(joint, context(childclass))) {
       check_turns(own, *read);
+      read->frame = frame;
       own.joints.push_back(std::move(*read));
     }
   }
@@ -156,11 +157,10 @@ class BodyReader {
 
   void check_free_joint(const Element& joint) {
     for (const char* attribute : {"damping", "frictionloss", "armature", "stiffness"}) {
-      if (Values(diagnostics_).scalar(joint, attribute).is_zero()) continue;
+      const Attribute* found = find(joint, attribute);
+      if (found == nullptr || !has_nonzero(*found, diagnostics_)) continue;
       diagnostics_
-          .warning(
-              "free-joint-drive", find(joint, attribute)->place,
-              fmt::format("the {} of a free joint is left out", attribute))
+          .warning("free-joint-drive", found->place, fmt::format("the {} of a free joint is left out", attribute))
           .hint = "<freejoint/> takes no defaults of joints";
     }
   }

@@ -39,6 +39,11 @@ bool has_orientation(const Element& element) {
   return std::any_of(element.attributes.begin(), element.attributes.end(), is_orientation);
 }
 
+bool has_nonzero(const Attribute& attribute, Diagnostics& diagnostics) {
+  const std::vector<Number> n = Values(diagnostics).numbers(attribute, 1, 3);
+  return std::any_of(n.begin(), n.end(), [](const Number& x) { return !x.is_zero(); });
+}
+
 std::optional<std::vector<Number>> Values::read(const Attribute& attribute, std::size_t least, std::size_t most) {
   constexpr std::size_t kMaxShown = 40;
   std::vector<Number> result;
