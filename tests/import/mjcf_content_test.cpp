@@ -2,6 +2,10 @@
 // MuJoCo.)
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "export/kinematics.h"
 #include "import/mjcf.h"
 #include "language/kinematics/document.h"
@@ -39,18 +43,122 @@ TEST(Mjcf, OrientationsAreExact) {
   EXPECT_EQ(robot_document(arm("quat='0 0 1 0'", "", radians)), robot_document(arm("euler='0 180 0'", "")));
 }
 
+// MuJoCo 2.2.2 gives these rotations: z points from the second point to the first, by the smallest rotation.
+TEST(Mjcf, SitesOfSegmentsTurnAsLittleAsPossible) {
+  const auto expect_rotation = [](const std::string& ends, const std::array<std::array<double, 3>, 3>& expected) {
+    const std::string site = "<site name='s' type='capsule' size='0.01' fromto='" + ends + "'/>";
+    const std::vector<model::UserFrame> frames = tree_of(arm("", site)).user_frames;
+    const auto frame = std::find_if(frames.begin(), frames.end(), [](const auto& f) { return f.name == "s"; });
+    ASSERT_NE(frame, frames.end());
+    const auto R = model::rotation_matrix(frame->placement);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(model::evaluate(R[i][k]), expected[i][k], 1e-15) << ends;
+  };
+  const double a = 1.0 / 3.0, b = 2.0 / 3.0;
+  expect_rotation("0 0 0 0.2 0.1 0.2", {{{-a, -b, -b}, {-b, b, -a}, {b, a, -b}}});
+  expect_rotation("0 0 0 0 0 1", {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}});
+  expect_rotation("0 0 1 0 0 0", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+}
+
 TEST(Mjcf, FramesMoveWhatTheyHold) {
   const std::string nested =
       "<frame pos='0 0 1' euler='0 0 90'><frame pos='2 0 0'><site name='s' pos='0 1 0'/></frame></frame>";
   EXPECT_EQ(robot_document(arm("", nested)), robot_document(arm("", "<site name='s' pos='-1 2 1' euler='0 0 90'/>")));
 }
 
+TEST(Mjcf, FramesMoveJoints) {
+  const auto document = [](const std::string& joint) {
+    return robot_document("<mujoco><worldbody><body name='b'>" + joint + kInertial + "</body></worldbody></mujoco>");
+  };
+  const std::string outer = "<frame pos='0 0 1' euler='90 0 0'>", inner = "<frame pos='1 0 0'>";
+  for (const std::string type : {"type='hinge' ref='10'", "type='slide' ref='0.1'"})
+    EXPECT_EQ(
+        document(outer + inner + "<joint name='j' pos='0 0 2' " + type + "/></frame></frame>"),
+        document("<joint name='j' pos='1 -2 1' axis='0 -1 0' " + type + "/>"))
+        << type;
+  EXPECT_EQ(
+      document(outer + "<joint name='j' type='ball' pos='0 0 2'/></frame>"),
+      document("<joint name='j' type='ball' pos='0 -2 1'/>"));
+  EXPECT_EQ(document(outer + "<freejoint/></frame>"), document("<freejoint/>"));
+  EXPECT_EQ(document("<frame childclass='main'><joint name='j'/></frame>"), document("<joint name='j'/>"));
+}
+
 TEST(Mjcf, FramesChooseTheClassOfTheirContent) {
   const std::string defaults =
       "<default><site pos='1 0 0'/><default class='far'><site pos='9 0 0' euler='0 0 30'/></default></default>";
   EXPECT_EQ(
-      robot_document(arm("", "<frame childclass='far'><site name='s' quat='1 0 0 0'/></frame>", defaults)),
-      robot_document(arm("", "<site name='s' pos='9 0 0'/>")));
+      robot_document(arm("", "<frame childclass='far'><site name='s'/></frame>", defaults)),
+      robot_document(arm("", "<site name='s' pos='9 0 0' euler='0 0 30'/>")));
+}
+
+// As in MuJoCo, where a `quat` and an alternative to it are two attributes, and the alternative prevails.
+TEST(Mjcf, OrientationsReplaceInheritedOnes) {
+  const auto site = [](const std::string& outer, const std::string& inner, const std::string& own) {
+    return robot_document(
+        arm("", "<site class='c' name='s' " + own + "/>",
+            "<default><site " + outer + "/><default class='c'><site " + inner + "/></default></default>"));
+  };
+  const std::string about_x = "euler='90 0 0'", about_y = "euler='0 90 0'";
+  const std::string quaternion = "quat='1 0 0 1'", direction = "zaxis='1 2 3'";
+  EXPECT_EQ(site(quaternion, about_x, ""), site("", "", about_x));
+  EXPECT_EQ(site(direction, about_x, ""), site("", "", about_x));
+  EXPECT_EQ(site(direction, about_x, about_y), site("", "", about_y));
+  EXPECT_EQ(site("quat='1 1 0 0'", quaternion, ""), site("", "", quaternion));
+  EXPECT_EQ(site(about_x, quaternion, ""), site("", "", about_x));
+  EXPECT_EQ(site(about_x, "", quaternion), site("", "", about_x));
+  EXPECT_EQ(site(about_x, quaternion, about_y), site("", "", about_y));
+}
+
+TEST(Mjcf, ShorterSizesReplaceTheFirstNumbers) {
+  const auto geom = [](const std::string& inherited, const std::string& own) {
+    const std::string content = "<body><geom type='box' size='" + own + "'/></body>";
+    return robot_document(arm("", content, "<default><geom size='" + inherited + "'/></default>"));
+  };
+  EXPECT_EQ(geom("1 2 3", "4"), geom("", "4 2 3"));
+  EXPECT_EQ(geom("1 2 3", "4 5"), geom("1", "4 5 3"));
+  EXPECT_EQ(geom("1 2", "4 5 6"), geom("", "4 5 6"));
+}
+
+// Two bodies on hinges, of which one follows the other.
+std::string coupled(const std::string& before, const std::string& equality) {
+  const auto body = [](const std::string& name, const std::string& joint) {
+    return "<body name='" + name + "'><joint name='" + joint + "' frictionloss='2'/>" + kInertial + "</body>";
+  };
+  return "<mujoco>" + before + "<worldbody>" + body("left", "a") + body("right", "b") + "</worldbody><equality>" +
+         equality + "</equality></mujoco>";
+}
+
+TEST(Mjcf, FlagsDisableConstraints) {
+  const auto tree = [](const std::string& flags) {
+    return tree_of(coupled("<option><flag " + flags + "/></option>", "<joint joint1='a' joint2='b'/>"));
+  };
+  const auto friction = [](const model::KinematicTree& robot) {
+    return model::evaluate(robot.joints[0].drive.friction);
+  };
+  EXPECT_EQ(tree("equality='enable' limit='disable'").dof(), 1);
+  EXPECT_EQ(friction(tree("equality='disable'")), 2.0);
+  EXPECT_EQ(tree("equality='disable'").dof(), 2);
+  EXPECT_EQ(tree("frictionloss='disable'").dof(), 1);
+  EXPECT_EQ(friction(tree("frictionloss='disable'")), 0.0);
+  EXPECT_EQ(tree("constraint='disable'").dof(), 2);
+  EXPECT_EQ(friction(tree("constraint='disable' equality='enable'")), 0.0);
+}
+
+TEST(Mjcf, EqualitiesHaveDefaults) {
+  const std::string defaults =
+      "<default><equality active='false'/><default class='on'><equality active='true'/></default></default>";
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint joint1='a' joint2='b'/>")).dof(), 2);
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint class='on' joint1='a' joint2='b'/>")).dof(), 1);
+  EXPECT_EQ(tree_of(coupled(defaults, "<joint active='true' joint1='a' joint2='b'/>")).dof(), 1);
+}
+
+TEST(Mjcf, PolynomialsOfEqualitiesMayBeShort) {
+  const auto document = [](const std::string& polynomial) {
+    return robot_document(coupled("", "<joint joint1='a' joint2='b' " + polynomial + "/>"));
+  };
+  EXPECT_EQ(document("polycoef='0.5'"), document("polycoef='0.5 1 0 0 0'"));
+  EXPECT_EQ(document("polycoef='0.5 -2'"), document("polycoef='0.5 -2 0 0 0'"));
+  EXPECT_EQ(document("polycoef='0 1 0'"), document(""));
 }
 
 TEST(Mjcf, LimitsFollowRanges) {
@@ -73,6 +181,20 @@ TEST(Mjcf, BodiesWithoutJointsAreParts) {
   ASSERT_EQ(tree.links.size(), 2u);
   EXPECT_DOUBLE_EQ(model::evaluate(tree.links[1].inertia->mass), 2.0);
   EXPECT_DOUBLE_EQ(model::evaluate(tree.links[1].inertia->com[2]), 0.6);
+}
+
+TEST(Mjcf, GeomsOfSomeGroupsHaveMass) {
+  const auto mass = [](const std::string& range) {
+    const std::string geoms =
+        "<geom size='1' mass='1'/><geom size='1' mass='2' group='2'/><geom type='mesh' group='4'/>";
+    const model::KinematicTree tree =
+        tree_of(arm("", "<body>" + geoms + "</body>", "<compiler inertiagrouprange='" + range + "'/>"));
+    return model::evaluate(tree.links[1].inertia->mass) - 1.0;
+  };
+  EXPECT_DOUBLE_EQ(mass("0 0"), 1.0);
+  EXPECT_DOUBLE_EQ(mass("0 3"), 3.0);
+  EXPECT_DOUBLE_EQ(mass("1 2"), 2.0);
+  EXPECT_DOUBLE_EQ(mass("3 3"), 0.0);
 }
 
 TEST(Mjcf, GeomsOfFixedBodiesNeedNoMass) {

@@ -42,6 +42,15 @@ struct Deleter {
 
 void ignore(const char*) {}
 
+// Whether the constraint is active in the file.
+bool is_active(const mjModel& model, int constraint) {
+#if mjVERSION_HEADER >= 300
+  return model.eq_active0[constraint] != 0;
+#else
+  return model.eq_active[constraint] != 0;
+#endif
+}
+
 std::string contents(const path& file) {
   std::ifstream text(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(text), {}};
@@ -125,7 +134,7 @@ class MjcfTest : public testing::Test {
     // Repeated as often as the longest possible chain of couplings requires.
     for (int k = 0; k < model_->neq * model_->neq; ++k) {
       const int i = k % model_->neq, joint = model_->eq_obj1id[i], followed = model_->eq_obj2id[i];
-      if (tree.couplings.empty() || model_->eq_type[i] != mjEQ_JOINT) continue;
+      if (tree.couplings.empty() || model_->eq_type[i] != mjEQ_JOINT || !is_active(*model_, i)) continue;
       const mjtNum* a = model_->eq_data + i * mjNEQDATA;
       const int row = model_->jnt_dofadr[joint];
       offsets_(row) = a[0] + model_->qpos0[model_->jnt_qposadr[joint]];

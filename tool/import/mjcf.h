@@ -28,8 +28,8 @@ struct Mjcf {
 //   user frame of the same name.
 // - Mass properties come from `inertial`, or from geoms of simple shape.
 // - Damping, friction, armature, springs and limits come from the joints.
-// Paths of included files are relative to the folder of `file`. Reports, with places, what the model cannot represent,
-// and notes what was not read. nullopt if an error was reported.
+// Paths of included files are relative to the folder of `file`, or else to that of the file that includes them.
+// Reports, with places, what the model cannot represent, and notes what was not read. nullopt if an error was reported.
 std::optional<Mjcf> mjcf(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,

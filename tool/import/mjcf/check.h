@@ -5,7 +5,8 @@
 
 namespace robcogen::import::from_mjcf {
 
-// Warns about attributes of `compiler`, bodies, inertials and joints that MJCF does not have.
+// Warns about attributes that MJCF does not have: of `compiler`, `option`, bodies and what they contain, and equalities
+// of joints.
 void check_attributes(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

@@ -3,17 +3,59 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace robcogen::import::from_mjcf {
 
 namespace {
 
+bool is_quaternion(const Attribute& attribute) {
+  return attribute.name == "quat";
+}
+
+// One of the other four ways to give an orientation.
+bool is_alternative(const Attribute& attribute) {
+  return is_orientation(attribute) && !is_quaternion(attribute);
+}
+
+// An element gives its orientation in one way only, so its own replaces the inherited one. In MuJoCo, however, a `quat`
+// does not replace an alternative to it, and has no effect.
+void merge_orientations(std::vector<Attribute>& own, std::vector<Attribute>& inherited, Diagnostics& diagnostics) {
+  const auto quaternion = std::find_if(own.begin(), own.end(), is_quaternion);
+  const bool has_alternative = std::any_of(own.begin(), own.end(), is_alternative);
+  const auto prevails = std::find_if(inherited.begin(), inherited.end(), is_alternative);
+  if (has_alternative || (quaternion != own.end() && prevails == inherited.end())) {
+    std::erase_if(inherited, is_orientation);
+  } else if (quaternion != own.end()) {
+    Diagnostic& warning = diagnostics.warning(
+        "quat-without-effect", quaternion->place,
+        fmt::format("this 'quat' has no effect: the '{}' of a default prevails, as in MuJoCo", prevails->name));
+    warning.notes.push_back({prevails->place, "the default is here"});
+    warning.hint = fmt::format("write the orientation as '{}'", prevails->name);
+    own.erase(quaternion);
+  }
+}
+
+// A `size` with fewer numbers than the inherited one replaces the first of them.
+std::string merged_size(const std::string& own, const std::string& inherited) {
+  std::istringstream own_words(own), words(inherited);
+  std::string result = own, word;
+  for (std::string replaced; own_words >> word;) words >> replaced;
+  while (words >> word) result += " " + word;
+  return result;
+}
+
 // The attributes of `own`, then those of `inherited` that `own` does not have.
-std::vector<Attribute> merged(std::vector<Attribute> own, const std::vector<Attribute>& inherited) {
+std::vector<Attribute> merged(std::vector<Attribute> own, std::vector<Attribute> inherited, Diagnostics& diagnostics) {
+  merge_orientations(own, inherited, diagnostics);
   const std::size_t count = own.size();
   for (const Attribute& a : inherited) {
     const auto end = own.begin() + static_cast<std::ptrdiff_t>(count);
-    if (std::none_of(own.begin(), end, [&](const Attribute& other) { return other.name == a.name; })) own.push_back(a);
+    const auto same = std::find_if(own.begin(), end, [&](const Attribute& other) { return other.name == a.name; });
+    if (same == end)
+      own.push_back(a);
+    else if (a.name == "size")
+      same->value = merged_size(same->value, a.value);
   }
   return own;
 }
@@ -34,7 +76,7 @@ void Defaults::read(const Element& section, std::size_t own) {
   for (const Element& element : section.children) {
     if (element.name == "default") continue;
     std::vector<Attribute>& known = classes_[own].attributes[element.name];
-    known = merged(element.attributes, known);
+    known = merged(element.attributes, known, diagnostics_);
   }
   for (const Element& nested : section.children) {
     if (nested.name != "default") continue;
@@ -66,18 +108,15 @@ const Defaults::Class* Defaults::find_class(const Attribute& name) const {
   return nullptr;
 }
 
-Element Defaults::resolved(const Element& element, const Attribute* childclass) const {
+Element Defaults::resolved(const Element& element, const Attribute* childclass, const std::string& kind) const {
   const Attribute* own = find(element, "class");
   const Attribute* asked = own != nullptr ? own : childclass;
   const Class* from = asked == nullptr ? &classes_.front() : find_class(*asked);
   Element result = element;
   if (from == nullptr) return result;
-  const auto found = from->attributes.find(element.name);
+  const auto found = from->attributes.find(kind);
   if (found == from->attributes.end()) return result;
-  std::vector<Attribute> inherited = found->second;
-  // An element gives its orientation in one way only.
-  if (has_orientation(element)) std::erase_if(inherited, [](const Attribute& a) { return is_orientation(a); });
-  result.attributes = merged(result.attributes, inherited);
+  result.attributes = merged(element.attributes, found->second, diagnostics_);
   return result;
 }
 

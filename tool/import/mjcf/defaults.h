@@ -11,15 +11,20 @@ namespace robcogen::import::from_mjcf {
 
 class Defaults {
  public:
-  // Reads every `default` of the root element. Reports classes without a name, and names that are given twice.
+  // Reads every `default` of the root element. Reports classes without a name, names that are given twice, and a `quat`
+  // that has no effect.
   Defaults(const Element& root, Diagnostics& diagnostics);
 
   // Whether the class is declared. Reports an undeclared class.
   bool knows(const Attribute& name) const { return find_class(name) != nullptr; }
 
   // Returns the element with all attributes that apply to it: its own, then those of its `class`, or else of
-  // `childclass`, or else of the top-level class. Reports an undeclared `class`.
-  Element resolved(const Element& element, const Attribute* childclass) const;
+  // `childclass`, or else of the top-level class. Reports an undeclared `class`, and a `quat` that has no effect.
+  Element resolved(const Element& element, const Attribute* childclass) const {
+    return resolved(element, childclass, element.name);
+  }
+  // The same for an element whose defaults are those of the elements named `kind`.
+  Element resolved(const Element& element, const Attribute* childclass, const std::string& kind) const;
 
  private:
   struct Class {

@@ -25,7 +25,9 @@ Pose inverse_of(const Pose& pose) {
 
 // The frame of the joint, with z along its axis, in the frame of its body.
 Pose pose_of_joint(const Joint& joint) {
-  return {quantities(joint.pos), rotation_to_axis(joint.axis)};
+  const Pose pose = joint.frame * Pose{quantities(joint.pos), rotation_to_axis(joint.axis)};
+  // The axes of a ball joint are those of its body.
+  return joint.type == model::JointType::spherical ? Pose{pose.translation, {}} : pose;
 }
 
 // Moves back by the reference position, to where the joint is at zero.
@@ -64,6 +66,7 @@ class Describer {
     parts_.emplace_back();
     carried_.resize(document_.bodies.size());
     for (std::size_t b = 0; b < document_.bodies.size(); ++b) add_body(b, base);
+    if (!has_second_robot_) mention_left_out(base);
     for (std::size_t l = 0; l < links_.size(); ++l) {
       links_[l].inertia = model::sum_of(parts_[l]);
       if (l > 0) description_.links.push_back(std::move(links_[l]));
@@ -101,6 +104,7 @@ class Describer {
   }
 
   void report_second(std::size_t body, const Place& place, std::size_t base) {
+    has_second_robot_ = true;
     Diagnostic& error = diagnostics_.error(
         "second-robot", place,
         fmt::format(
@@ -120,7 +124,10 @@ class Describer {
       for (std::size_t j = 0; j < body.joints.size(); ++j) add_joint(b, j);
     }
     const Carried& own = carried_[b];
-    if (own.link < 0) return;
+    if (own.link < 0) {
+      leave_out(b);
+      return;
+    }
     model::DescribedLink& link = links_[at(own.link)];
     const std::string& name = identifiers_.bodies[b];
     link.frames.push_back({name, placement_of(own.pose), body.name.place});
@@ -135,6 +142,30 @@ class Describer {
       }
       parts_[at(own.link)].push_back(inertia_of(part, own.pose));
     }
+  }
+
+  // Counts the body, unless it is the world, and its sites.
+  void leave_out(std::size_t b) {
+    const auto count = [&](std::size_t& number, const Name& name) {
+      if (left_out_bodies_ + left_out_sites_ == 0) first_left_out_ = name.place;
+      ++number;
+    };
+    const Body& body = document_.bodies[b];
+    if (b != 0) count(left_out_bodies_, body.name);
+    for (const Site& site : body.sites) count(left_out_sites_, site.name);
+  }
+
+  void mention_left_out(std::size_t base) {
+    const auto counted = [](std::size_t count, const char* one, const char* several) {
+      return fmt::format("{} {}", count, count == 1 ? one : several);
+    };
+    std::string list;
+    if (left_out_bodies_ > 0) list = counted(left_out_bodies_, "body", "bodies");
+    if (left_out_sites_ > 0) list += (list.empty() ? "" : ", ") + counted(left_out_sites_, "site", "sites");
+    if (!list.empty())
+      diagnostics_.note(
+          "outside-robot", first_left_out_,
+          fmt::format("not part of the robot, whose base is '{}', and left out: {}", identifiers_.bodies[base], list));
   }
 
   // Moves the body from the link that has carried it so far to a new link.
@@ -211,6 +242,9 @@ class Describer {
   std::vector<model::DescribedLink> links_;
   std::vector<std::vector<model::Inertia>> parts_;  // by link
   std::vector<Carried> carried_;                    // by body
+  std::size_t left_out_bodies_ = 0, left_out_sites_ = 0;
+  Place first_left_out_;
+  bool has_second_robot_ = false;
   UniqueNames names_;
 };
 

@@ -21,7 +21,8 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 // - A body without joints is part of its parent.
 // - The joints of a body form a chain of massless links: MuJoCo applies them one after the other, each in the frame
 //   that the joints before it have moved.
-// Reports bodies that move but are not part of the floating robot.
+// Reports bodies that move but are not part of the floating robot. A note counts the other bodies and sites that are
+// not.
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

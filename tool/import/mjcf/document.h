@@ -37,7 +37,8 @@ struct Part {
 struct Joint {
   Name name;
   model::JointType type = model::JointType::revolute;
-  std::array<Number, 3> pos;  // in the frame of the body
+  Pose frame;                 // of the enclosing `frame` elements, in the frame of the body
+  std::array<Number, 3> pos;  // in this frame
   std::array<Number, 3> axis;
   Number reference;  // of hinges and slides: the position in which the bodies have the poses of the file
   model::JointLimits limits;

@@ -1,10 +1,10 @@
 // Masses of geoms: shapes of uniform density.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "import/mjcf/document.h"
+#include "import/mjcf/segment.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -57,15 +57,13 @@ class GeomReader {
     const Attribute* mass = find(element_, "mass");
     const Number density = values_.scalar(element_, "density", Number(kWater));
     const std::string shape = shapes()[values_.word(element_, "type", shapes(), 0)];
-    if (shape == "plane" || shape == "hfield") return std::nullopt;
+    if (shape == "plane" || shape == "hfield" || !is_in_range(values_.scalar(element_, "group"))) return std::nullopt;
     if (mass == nullptr ? density.is_zero() : values_.scalar(element_, "mass").is_zero()) return std::nullopt;
     if (shape == "mesh" || shape == "sdf" || find(element_, "mesh") != nullptr) return refuse("of a mesh");
     if (const Attribute* shell = find(element_, "shellinertia"); shell != nullptr && shell->value == "true")
       return refuse("of a shell");
-    if (context_.settings.group_range.source) return refuse("of geoms of some groups ('inertiagrouprange')");
 
     Part part;
-    part.pose = {quantities(values_.triple(element_, "pos", {})), {}};
     const Moments moments = read_shape(shape, part.pose);
     part.mass = mass != nullptr ? values_.scalar(element_, "mass") : Number(density.value() * moments.volume);
     part.xx = Number(part.mass.value() * moments.x);
@@ -80,6 +78,11 @@ class GeomReader {
   }
 
  private:
+  bool is_in_range(const Number& group) const {
+    const Settings& settings = context_.settings;
+    return group.value() >= settings.first_group.value() && group.value() <= settings.last_group.value();
+  }
+
   std::optional<Part> refuse(const std::string& what) {
     context_.diagnostics
         .error(
@@ -96,10 +99,11 @@ class GeomReader {
       context_.diagnostics.error("missing-attribute", element_.place, "this 'geom' has no attribute 'size'");
       return {1.0, 1.0, 1.0};
     }
-    const std::vector<Number> n = values_.numbers(*given, count, 3);
     std::array<double, 3> result = {1.0, 1.0, 1.0};
+    const std::optional<std::vector<Number>> n = values_.read(*given, count, 3);
+    if (!n) return result;
     for (std::size_t i = 0; i < count; ++i) {
-      result[i] = n[i].value();
+      result[i] = (*n)[i].value();
       if (result[i] > 0.0) continue;
       context_.diagnostics.error("geom-size", given->place, "the size of this geom is not positive");
       return {1.0, 1.0, 1.0};
@@ -107,30 +111,21 @@ class GeomReader {
     return result;
   }
 
-  // Sets the pose. With `fromto`, the z axis points from one point to the other, and their distance is the length.
+  // Sets the pose. With `fromto`, the z axis is along the segment, whose length is that of the geom. Shapes with
+  // `fromto` are symmetric about this axis, so the directions of z, x and y do not matter.
   Moments read_shape(const std::string& shape, Pose& pose) {
-    const Attribute* ends = shape == "sphere" ? nullptr : find(element_, "fromto");
-    double length = 0.0;
-    if (ends == nullptr) {
-      pose.rotation = orientation_of(element_, context_.settings, context_.diagnostics);
-    } else {
-      const std::vector<Number> n = values_.numbers(*ends, 6, 6);
-      const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
-      const Number half = Number::rational(1, 2);
-      for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(half * (n[i] + n[i + 3]));
-      length = std::hypot(along[0].value(), along[1].value(), along[2].value());
-      if (length > 0.0)
-        pose.rotation = rotation_to_axis(along);
-      else
-        context_.diagnostics.error("no-direction", ends->place, "this 'fromto' gives no direction");
-    }
+    const std::optional<Segment> segment = read_segment(element_, shape, context_.diagnostics);
+    if (segment)
+      pose = {segment->middle, rotation_to_axis(segment->along)};
+    else
+      pose = pose_of(element_, context_.settings, context_.diagnostics);
     const bool is_round = shape == "cylinder" || shape == "capsule";
-    const std::array<double, 3> s = size(shape == "sphere" || ends != nullptr ? 1 : is_round ? 2 : 3);
+    const std::array<double, 3> s = size(shape == "sphere" || segment ? 1 : is_round ? 2 : 3);
     if (shape == "sphere") return symmetric(4.0 / 3.0 * kPi * s[0] * s[0] * s[0], 0.2, s[0], s[0], s[0]);
-    if (ends == nullptr) length = 2.0 * s[1];
+    const double length = segment ? segment->length : 2.0 * s[1];
     if (shape == "cylinder") return of_cylinder(s[0], length);
     if (shape == "capsule") return of_capsule(s[0], length);
-    const double a = s[0], b = ends != nullptr ? a : s[1], c = ends != nullptr ? length / 2.0 : s[2];
+    const double a = s[0], b = segment ? a : s[1], c = segment ? length / 2.0 : s[2];
     if (shape == "box") return symmetric(8.0 * a * b * c, 1.0 / 3.0, a, b, c);
     return symmetric(4.0 / 3.0 * kPi * a * b * c, 0.2, a, b, c);
   }

@@ -80,10 +80,19 @@ class IncludeReader {
     return false;
   }
 
+  // Returns the path in the folder of the model, or else in that of the file that includes it, as MuJoCo does.
+  fs::path path_of(const std::string& name) const {
+    const fs::path path = (folder_ / name).lexically_normal();
+    std::error_code fault;
+    if (including_.empty() || fs::exists(path, fault)) return path;
+    const fs::path beside = (including_.back().parent_path() / name).lexically_normal();
+    return fs::exists(beside, fault) ? beside : path;
+  }
+
   bool include(const Element& element, Element& parent) {
     const Attribute* name = find(element, "file");
     if (name == nullptr) return refuse("missing-attribute", element.place, "this 'include' has no attribute 'file'");
-    const fs::path path = (folder_ / name->value).lexically_normal();
+    const fs::path path = path_of(name->value);
     const auto known =
         std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.key == key(path); });
     if (known != files_.end()) {
@@ -100,7 +109,9 @@ class IncludeReader {
     const std::size_t index = files_.size();
     enter(path, name->place);
     included_.push_back(path);
+    including_.push_back(path);
     std::optional<Element> root = read(std::make_shared<Source>(path.string(), std::move(*text)));
+    including_.pop_back();
     files_[index].is_open = false;
     if (!root) return false;
     if (root->name != "mujocoinclude" && root->name != "mujoco") {
@@ -113,6 +124,7 @@ class IncludeReader {
   }
 
   fs::path folder_;
+  std::vector<fs::path> including_;  // included files that are open, the outermost first
   std::vector<fs::path>& included_;
   Diagnostics& diagnostics_;
   std::vector<File> files_;

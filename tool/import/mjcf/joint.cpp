@@ -54,10 +54,9 @@ class JointReader {
     if (joint_.drive.stiffness.is_zero()) joint_.places.stiffness = {};
     for (const auto& [name, limited] :
          {std::pair("range", "limited"), std::pair("actuatorfrcrange", "actuatorfrclimited")}) {
-      const Attribute* range = find(element_, name);
-      if (range == nullptr || values_.numbers(*range, 2, 2)[1].is_zero() || !is_limited(limited, *range)) continue;
+      if (!read_range(name, limited)) continue;
       diagnostics_.warning(
-          "ball-limits", range->place,
+          "ball-limits", find(element_, name)->place,
           fmt::format("the '{}' of a ball joint is left out: spherical joints do not have it", name));
     }
   }
@@ -87,11 +86,26 @@ class JointReader {
     if (const Attribute* found = find(element_, attribute)) place = found->place;
   }
 
+  // In MuJoCo, up to three coefficients make a polynomial.
+  void read_coefficient(const char* attribute, model::Quantity& value, Place& place) {
+    const Attribute* found = find(element_, attribute);
+    if (found == nullptr) return;
+    place = found->place;
+    const std::vector<Number> n = values_.numbers(*found, 1, 3);
+    value = quantity(n[0]);
+    if (std::all_of(n.begin() + 1, n.end(), [](const Number& x) { return x.is_zero(); })) return;
+    diagnostics_
+        .error(
+            "unsupported-attribute", found->place,
+            fmt::format("this '{}' is a polynomial, which is not supported", attribute))
+        .hint = "write one number, for a linear force";
+  }
+
   void read_drive() {
-    read_value("damping", joint_.drive.damping, joint_.places.damping);
-    read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
+    read_coefficient("damping", joint_.drive.damping, joint_.places.damping);
+    if (context_.settings.has_friction()) read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
     read_value("armature", joint_.drive.armature, joint_.places.armature);
-    read_value("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
+    read_coefficient("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
     if (!joint_.drive.stiffness.is_zero()) joint_.drive.rest = quantity(position("springref"));
     if (const Attribute* rest = find(element_, "springref")) joint_.places.rest = rest->place;
     const Attribute* damper = find(element_, "springdamper");
@@ -105,9 +119,14 @@ class JointReader {
         .hint = "write stiffness=\"...\" and damping=\"...\"";
   }
 
+  static const std::vector<std::string>& limit_words() {
+    static const std::vector<std::string> words = {"false", "true", "auto"};
+    return words;
+  }
+
   // Whether the attribute `limited`, or the mere presence of a range, enables these limits.
   bool is_limited(const char* limited, const Attribute& range) {
-    const std::size_t choice = values_.word(element_, limited, {"false", "true", "auto"}, 2);
+    const std::size_t choice = values_.word(element_, limited, limit_words(), 2);
     if (choice != 2) return choice == 1;
     if (context_.settings.limits_follow_ranges) return true;
     diagnostics_
@@ -118,23 +137,41 @@ class JointReader {
     return false;
   }
 
-  void read_limits() {
-    if (const Attribute* range = find(element_, "range")) {
-      const std::vector<Number> n = values_.numbers(*range, 2, 2);
-      const bool is_given = !n[0].is_zero() || !n[1].is_zero();
-      if (is_given && is_limited("limited", *range)) {
-        joint_.limits.lower = in_si_units(n[0], range->place).value();
-        joint_.limits.upper = in_si_units(n[1], range->place).value();
-        joint_.places.position_limits = range->place;
-      }
+  // Reads the limits if they are enabled. A range of two zeros counts as absent.
+  std::optional<std::array<Number, 2>> read_range(const char* name, const char* limited) {
+    const Attribute* range = find(element_, name);
+    if (range != nullptr) {
+      const std::optional<std::vector<Number>> n = values_.read(*range, 2, 2);
+      if (!n) return std::nullopt;
+      if (!(*n)[0].is_zero() || !(*n)[1].is_zero())
+        return is_limited(limited, *range) ? std::optional(std::array{(*n)[0], (*n)[1]}) : std::nullopt;
     }
-    if (const Attribute* range = find(element_, "actuatorfrcrange")) {
-      const std::vector<Number> n = values_.numbers(*range, 2, 2);
-      const bool is_given = !n[0].is_zero() || !n[1].is_zero();
-      if (is_given && is_limited("actuatorfrclimited", *range)) {
-        joint_.limits.effort = std::max(std::abs(n[0].value()), std::abs(n[1].value()));
-        joint_.places.effort_limit = range->place;
-      }
+    if (values_.word(element_, limited, limit_words(), 2) == 1)
+      diagnostics_
+          .error(
+              "limit-without-range", joint_.name.place,
+              fmt::format("this joint has no '{}', but '{}' is \"true\"", name, limited))
+          .hint = fmt::format("write {}=\"...\", or {}=\"false\"", name, limited);
+    return std::nullopt;
+  }
+
+  void read_limits() {
+    if (const auto range = read_range("range", "limited")) {
+      const Place place = find(element_, "range")->place;
+      joint_.limits.lower = in_si_units((*range)[0], place).value();
+      joint_.limits.upper = in_si_units((*range)[1], place).value();
+      joint_.places.position_limits = place;
+    }
+    if (const auto range = read_range("actuatorfrcrange", "actuatorfrclimited")) {
+      const double least = (*range)[0].value(), most = (*range)[1].value();
+      joint_.limits.effort = std::max(std::abs(least), std::abs(most));
+      joint_.places.effort_limit = find(element_, "actuatorfrcrange")->place;
+      if (-least != most)
+        diagnostics_.note(
+            "one-effort-limit", joint_.places.effort_limit,
+            fmt::format(
+                "the effort of this joint is limited to {} in both directions, not from {} to {}",
+                print_double(joint_.limits.effort), print_double(least), print_double(most)));
     }
   }
 

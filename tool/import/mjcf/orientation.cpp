@@ -61,11 +61,16 @@ class OrientationReader {
   OrientationReader(const Settings& settings, Diagnostics& diagnostics)
       : settings_(settings), diagnostics_(diagnostics), values_(diagnostics) {}
 
+  // Returns the identity if the value is malformed.
   Rotation read(const Attribute& attribute) {
-    if (attribute.name == "euler") return of_euler(attribute);
-    if (attribute.name == "xyaxes") return of_axes(attribute);
-    if (attribute.name == "zaxis") return of_z_axis(attribute);
-    const std::vector<Number> n = values_.numbers(attribute, 4, 4);
+    const bool has_six = attribute.name == "xyaxes", has_three = attribute.name == "euler" || attribute.name == "zaxis";
+    const std::size_t count = has_six ? 6 : has_three ? 3 : 4;
+    const std::optional<std::vector<Number>> given = values_.read(attribute, count, count);
+    if (!given) return {};
+    const std::vector<Number>& n = *given;
+    if (attribute.name == "euler") return of_euler(attribute, n);
+    if (attribute.name == "xyaxes") return of_axes(attribute, n);
+    if (attribute.name == "zaxis") return of_z_axis(attribute, n);
     if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, angle(attribute, n[3]));
     const std::array<Real, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
     if (q == std::array<Real, 4>()) return no_direction(attribute);
@@ -84,8 +89,7 @@ class OrientationReader {
   }
 
   // Lower-case letters are axes of the rotating frame, capitals are fixed axes.
-  Rotation of_euler(const Attribute& attribute) {
-    const std::vector<Number> angles = values_.numbers(attribute, 3, 3);
+  Rotation of_euler(const Attribute& attribute, const std::vector<Number>& angles) {
     Rotation result;
     for (std::size_t i = 0; i < 3; ++i) {
       const char letter = settings_.euler_sequence[i];
@@ -97,8 +101,7 @@ class OrientationReader {
   }
 
   // y is made orthogonal to x.
-  Rotation of_axes(const Attribute& attribute) {
-    const std::vector<Number> n = values_.numbers(attribute, 6, 6);
+  Rotation of_axes(const Attribute& attribute, const std::vector<Number>& n) {
     Vector x = {n[0].value(), n[1].value(), n[2].value()}, y = {n[3].value(), n[4].value(), n[5].value()};
     const Real length = std::sqrt(dot(x, x));
     if (length == 0) return no_direction(attribute);
@@ -112,15 +115,9 @@ class OrientationReader {
     return rotation_of({{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}});
   }
 
-  // Returns the smallest rotation that turns z to this direction; a rotation about x if the direction is opposite to z.
-  Rotation of_z_axis(const Attribute& attribute) {
-    const std::vector<Number> n = values_.numbers(attribute, 3, 3);
-    const Vector axis = {n[0].value(), n[1].value(), n[2].value()};
-    const Real length = std::sqrt(dot(axis, axis));
-    if (length == 0) return no_direction(attribute);
-    const Real w = 1 + axis[2] / length;
-    if (w == 0) return rotation_about(0, Number::pi_multiple(1));
-    return rotation_of(matrix_of_quaternion(w, -axis[1] / length, axis[0] / length, 0));
+  Rotation of_z_axis(const Attribute& attribute, const std::vector<Number>& n) {
+    const bool is_zero = n[0].is_zero() && n[1].is_zero() && n[2].is_zero();
+    return is_zero ? no_direction(attribute) : smallest_rotation_to_axis({n[0], n[1], n[2]});
   }
 
   Rotation about(const Attribute& attribute, const std::array<Number, 3>& axis, const Number& angle) {
@@ -156,6 +153,14 @@ Rotation orientation_of(const Element& element, const Settings& settings, Diagno
     given = &attribute;
   }
   return given == nullptr ? Rotation() : OrientationReader(settings, diagnostics).read(*given);
+}
+
+Rotation smallest_rotation_to_axis(const std::array<Number, 3>& direction) {
+  const Vector axis = {direction[0].value(), direction[1].value(), direction[2].value()};
+  const Real length = std::sqrt(dot(axis, axis));
+  const Real w = 1 + axis[2] / length;
+  if (w == 0) return rotation_about(0, Number::pi_multiple(1));
+  return rotation_of(matrix_of_quaternion(w, -axis[1] / length, axis[0] / length, 0));
 }
 
 model::Quantity quantity(const Number& number) {

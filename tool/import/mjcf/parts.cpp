@@ -1,14 +1,66 @@
 // Reads the masses of bodies.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "import/mjcf/document.h"
+#include "model/principal_moments.h"
 
 namespace robcogen::import::from_mjcf {
 
 namespace {
+
+using model::SymmetricMatrix;
+
+// Of moments that are computed, relative.
+constexpr double kMomentRounding = 1e-12;
+
+// About the centre of mass of the part, in its axes.
+SymmetricMatrix tensor_of(const Part& part) {
+  const double xy = part.xy.value(), xz = part.xz.value(), yz = part.yz.value();
+  return {{{part.xx.value(), xy, xz}, {xy, part.yy.value(), yz}, {xz, yz, part.zz.value()}}};
+}
+
+double mass_of(const std::vector<Part>& parts) {
+  double sum = 0.0;
+  for (const Part& part : parts) sum += part.mass.value();
+  return sum;
+}
+
+// The centre of mass of the body, if it has mass.
+std::array<double, 3> centre_of(const std::vector<Part>& parts) {
+  const double mass = mass_of(parts);
+  std::array<double, 3> centre = {};
+  for (const Part& part : parts)
+    for (std::size_t i = 0; i < 3 && mass > 0.0; ++i)
+      centre[i] += part.mass.value() / mass * model::evaluate(part.pose.translation[i]);
+  return centre;
+}
+
+// Adds the tensor of the part to that of the body about this point, in axes of the body.
+void add(SymmetricMatrix& sum, const Part& part, const std::array<double, 3>& point) {
+  const auto R = model::rotation_matrix(placement_of(part.pose));
+  const SymmetricMatrix own = tensor_of(part);
+  std::array<double, 3> arm = {};
+  for (std::size_t i = 0; i < 3; ++i) arm[i] = model::evaluate(part.pose.translation[i]) - point[i];
+  const double square = arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum[i][j] += part.mass.value() * ((i == j ? square : 0.0) - arm[i] * arm[j]);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t l = 0; l < 3; ++l)
+          sum[i][j] += model::evaluate(R[i][k]) * own[k][l] * model::evaluate(R[j][l]);
+    }
+  }
+}
+
+// The principal moments of a body about its centre of mass, in ascending order.
+std::array<double, 3> moments_of(const std::vector<Part>& parts) {
+  if (parts.size() == 1) return model::principal_moments(tensor_of(parts.front()));
+  SymmetricMatrix sum = {};
+  for (const Part& part : parts) add(sum, part, centre_of(parts));
+  return model::principal_moments(sum);
+}
 
 class PartReader {
  public:
@@ -38,24 +90,43 @@ class PartReader {
       const auto n = values_.triple(e, "diaginertia", {});
       part.xx = n[0], part.yy = n[1], part.zz = n[2];
     }
-    check(part);
     return part;
   }
 
-  // MuJoCo raises masses and moments to these bounds.
+  // MuJoCo raises the mass and the principal moments of a body to these bounds, even if it has no mass.
   void check_bounds(const std::vector<Part>& parts) {
     const double mass = context_.settings.least_mass.value(), moment = context_.settings.least_moment.value();
     if (mass <= 0.0 && moment <= 0.0) return;
-    for (const Part& part : parts) {
-      if (part.mass.value() >= mass && std::min({part.xx.value(), part.yy.value(), part.zz.value()}) >= moment)
-        continue;
+    const auto reaches = [](double value, double bound) { return value >= bound * (1.0 - kMomentRounding); };
+    if (reaches(mass_of(parts), mass) && reaches(moments_of(parts)[0], moment)) return;
+    diagnostics_
+        .error(
+            "below-bound", parts.empty() ? body_.place : parts.front().mass_place,
+            fmt::format(
+                "the mass or a moment of body '{}' is below 'boundmass' or 'boundinertia', which would raise it",
+                body_.text))
+        .hint = "write the values that are meant, and leave the bounds out";
+  }
+
+  void check_inertial(const Part& part) {
+    if (part.mass.value() < 0.0)
+      diagnostics_.error(
+          "negative-mass", part.mass_place, fmt::format("the mass of body '{}' is negative", body_.text));
+    if (part.xx.value() < 0.0 || part.yy.value() < 0.0 || part.zz.value() < 0.0)
+      diagnostics_.error(
+          "negative-moment", part.inertia_place,
+          fmt::format("a moment of inertia of body '{}' is negative", body_.text));
+    const bool is_diagonal = part.xy.is_zero() && part.xz.is_zero() && part.yz.is_zero();
+    const auto [x, y, z] = moments_of({part});
+    const double rounding = is_diagonal ? 0.0 : kMomentRounding * z;
+    if (context_.settings.balances_inertias && x + y < z - rounding) {
       diagnostics_
           .error(
-              "below-bound", part.mass_place,
+              "balanced-inertia", part.inertia_place,
               fmt::format(
-                  "the mass or a moment of body '{}' is below 'boundmass' or 'boundinertia', which would raise it",
+                  "the moments of body '{}' are impossible: 'balanceinertia' would replace each by their mean",
                   body_.text))
-          .hint = "write the values that are meant, and leave the bounds out";
+          .hint = fmt::format("write diaginertia=\"{0} {0} {0}\" if that is meant", print_double((x + y + z) / 3.0));
     }
   }
 
@@ -67,27 +138,6 @@ class PartReader {
           "missing-attribute", e.place,
           fmt::format("the inertial of body '{}' has no attribute '{}'", body_.text, attribute));
     return found;
-  }
-
-  void check(const Part& part) {
-    if (part.mass.value() < 0.0)
-      diagnostics_.error(
-          "negative-mass", part.mass_place, fmt::format("the mass of body '{}' is negative", body_.text));
-    if (part.xx.value() < 0.0 || part.yy.value() < 0.0 || part.zz.value() < 0.0)
-      diagnostics_.error(
-          "negative-moment", part.inertia_place,
-          fmt::format("a moment of inertia of body '{}' is negative", body_.text));
-    const bool is_diagonal = part.xy.is_zero() && part.xz.is_zero() && part.yz.is_zero();
-    const double x = part.xx.value(), y = part.yy.value(), z = part.zz.value();
-    if (context_.settings.balances_inertias && is_diagonal && (x + y < z || x + z < y || y + z < x)) {
-      diagnostics_
-          .error(
-              "balanced-inertia", part.inertia_place,
-              fmt::format(
-                  "the moments of body '{}' are impossible: 'balanceinertia' would replace each by their mean",
-                  body_.text))
-          .hint = fmt::format("write diaginertia=\"{0} {0} {0}\" if that is meant", print_double((x + y + z) / 3.0));
-    }
   }
 
   const Name& body_;
@@ -104,6 +154,7 @@ std::vector<Part> read_parts(
     const std::vector<PlacedElement>& geoms,
     const Context& context) {
   PartReader reader(body, context);
+  const std::size_t errors_before = context.diagnostics.error_count();
   std::vector<Part> parts;
   const InertiaFromGeoms from = context.settings.inertia_from_geoms;
   const bool counts_geoms = inertial == nullptr ? from != InertiaFromGeoms::never : from == InertiaFromGeoms::always;
@@ -111,8 +162,12 @@ std::vector<Part> read_parts(
     std::optional<Part> part = counts_geoms ? read_geom(body, geom, context) : std::nullopt;
     if (part) parts.push_back(std::move(*part));
   }
-  if (parts.empty() && inertial != nullptr) parts.push_back(reader.read_inertial(*inertial));
-  reader.check_bounds(parts);
+  const bool takes_inertial = parts.empty() && inertial != nullptr;
+  if (takes_inertial) parts.push_back(reader.read_inertial(*inertial));
+  // Values that are reported count as zeros, which say nothing about the bounds.
+  const bool is_readable = context.diagnostics.error_count() == errors_before;
+  if (takes_inertial) reader.check_inertial(parts.front());
+  if (is_readable) reader.check_bounds(parts);
   return parts;
 }
 

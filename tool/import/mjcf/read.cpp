@@ -23,6 +23,34 @@ void ignore_section(const Element& section, Document& document, Diagnostics& dia
   for (const Element& child : section.children) ++document.ignored[section.name + "/" + child.name];
 }
 
+// Warns once about forces of tendons.
+void check_tendons(
+    const Element& section,
+    const Settings& settings,
+    const Defaults& defaults,
+    Diagnostics& diagnostics) {
+  int count = 0;
+  Place first;
+  for (const Element& given : section.children) {
+    // A default `tendon` is that of tendons of all kinds.
+    const Element tendon = defaults.resolved(given, nullptr, "tendon");
+    for (const char* name : {"stiffness", "damping", "armature", "frictionloss"}) {
+      const Attribute* found = find(tendon, name);
+      const bool is_off = std::string(name) == "frictionloss" && !settings.has_friction();
+      if (found == nullptr || is_off || !has_nonzero(*found, diagnostics)) continue;
+      if (count++ == 0) first = found->place;
+      break;
+    }
+  }
+  if (count == 0) return;
+  diagnostics.warning(
+      "tendon-forces", first,
+      fmt::format(
+          "springs, damping, armature and friction of tendons are ignored, and the bodies move without them: {} "
+          "tendon{}",
+          count, count == 1 ? "" : "s"));
+}
+
 }  // namespace
 
 void report_unknown(const Element& element, const std::vector<std::string>& known, Diagnostics& diagnostics) {
@@ -42,8 +70,9 @@ Document read_document(const Element& root, const Options& options, Diagnostics&
     if (section.name == "worldbody") {
       read_bodies(section, settings, defaults, document, diagnostics);
     } else if (section.name == "equality") {
-      read_equalities(section, options, document, diagnostics);
+      read_equalities(section, settings, defaults, options, document, diagnostics);
     } else {
+      if (section.name == "tendon") check_tendons(section, settings, defaults, diagnostics);
       ignore_section(section, document, diagnostics);
     }
   }

@@ -13,8 +13,14 @@ void read_bodies(
     Document& document,
     Diagnostics& diagnostics);
 
-// Appends couplings between joints. Reports couplings that are not linear.
-void read_equalities(const Element& section, const Options& options, Document& document, Diagnostics& diagnostics);
+// Appends couplings between joints, unless a flag disables constraints. Reports couplings that are not linear.
+void read_equalities(
+    const Element& section,
+    const Settings& settings,
+    const Defaults& defaults,
+    const Options& options,
+    Document& document,
+    Diagnostics& diagnostics);
 
 // Warns about an element that is not one of the `known` ones.
 void report_unknown(const Element& element, const std::vector<std::string>& known, Diagnostics& diagnostics);

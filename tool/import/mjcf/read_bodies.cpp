@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "import/mjcf/read.h"
+#include "import/mjcf/segment.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -53,7 +54,7 @@ class BodyReader {
         const Pose pose = frame * pose_of(e, settings_, diagnostics_);
         read_content(e, body, pose, class_of_content(e, childclass));
       } else if (e.name == "joint" || e.name == "freejoint") {
-        read_joint_of(e, parent, body, childclass);
+        read_joint_of(e, body, frame, childclass);
       } else if (e.name == "geom") {
         body.geoms.push_back({defaults_.resolved(e, childclass), frame});
       } else if (e.name == "site") {
@@ -72,17 +73,12 @@ class BodyReader {
     return own != nullptr && defaults_.knows(*own) ? own : outer;
   }
 
-  // With `fromto`, the origin is the middle of the segment, and z is along it.
+  // With `fromto`, the origin is the middle of the segment, and z points from the second point to the first.
   Pose site_pose(const Element& site) {
-    const Attribute* ends = find(site, "fromto");
-    if (ends == nullptr) return pose_of(site, settings_, diagnostics_);
-    const std::vector<Number> n = Values(diagnostics_).numbers(*ends, 6, 6);
-    Pose pose;
-    for (std::size_t i = 0; i < 3; ++i) pose.translation[i] = quantity(Number::rational(1, 2) * (n[i] + n[i + 3]));
-    const std::array<Number, 3> along = {n[3] - n[0], n[4] - n[1], n[5] - n[2]};
-    if (std::any_of(along.begin(), along.end(), [](const Number& x) { return !x.is_zero(); }))
-      pose.rotation = rotation_to_axis(along);
-    return pose;
+    const Attribute* type = find(site, "type");
+    const std::optional<Segment> segment = read_segment(site, type == nullptr ? "sphere" : type->value, diagnostics_);
+    if (segment) return {segment->middle, smallest_rotation_to_axis(segment->along)};
+    return pose_of(site, settings_, diagnostics_);
   }
 
   void read_body(const Element& e, const OpenBody& parent, const Pose& frame, const Attribute* outer_class) {
@@ -123,9 +119,9 @@ class BodyReader {
     }
   }
 
-  void read_joint_of(const Element& e, const Element& parent, OpenBody& body, const Attribute* childclass) {
-    if (parent.name == "frame" || body.index == 0) {
-      diagnostics_.error("misplaced-element", e.place, "a joint belongs to a body, not to this element");
+  void read_joint_of(const Element& e, OpenBody& body, const Pose& frame, const Attribute* childclass) {
+    if (body.index == 0) {
+      diagnostics_.error("misplaced-element", e.place, "a joint belongs to a body, not to the world");
       return;
     }
     Body& own = document_.bodies[body.index];
@@ -144,6 +140,7 @@ class BodyReader {
       if (!is_freejoint) check_free_joint(joint);
     } else if (std::optional<Joint> read = read_joint(joint, context(childclass))) {
       check_turns(own, *read);
+      read->frame = frame;
       own.joints.push_back(std::move(*read));
     }
   }
@@ -160,11 +157,10 @@ class BodyReader {
 
   void check_free_joint(const Element& joint) {
     for (const char* attribute : {"damping", "frictionloss", "armature", "stiffness"}) {
-      if (Values(diagnostics_).scalar(joint, attribute).is_zero()) continue;
+      const Attribute* found = find(joint, attribute);
+      if (found == nullptr || !has_nonzero(*found, diagnostics_)) continue;
       diagnostics_
-          .warning(
-              "free-joint-drive", find(joint, attribute)->place,
-              fmt::format("the {} of a free joint is left out", attribute))
+          .warning("free-joint-drive", found->place, fmt::format("the {} of a free joint is left out", attribute))
           .hint = "<freejoint/> takes no defaults of joints";
     }
   }

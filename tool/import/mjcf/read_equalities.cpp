@@ -14,7 +14,10 @@ void read_coupling(const Element& e, const Attribute& joint, Document& document,
   Coupling coupling{{joint.value, joint.place}, {"", joint.place}, Number(), Number::rational(1)};
   if (const Attribute* followed = find(e, "joint2")) coupling.followed = {followed->value, followed->place};
   if (const Attribute* given = find(e, "polycoef")) {
-    const std::vector<Number> a = Values(diagnostics).numbers(*given, 5, 5);
+    // Coefficients that are left out keep their defaults.
+    const std::vector<Number> kDefaults = {Number(), Number::rational(1), Number(), Number(), Number()};
+    std::vector<Number> a = Values(diagnostics).numbers(*given, 1, 5);
+    a.insert(a.end(), kDefaults.begin() + static_cast<std::ptrdiff_t>(a.size()), kDefaults.end());
     coupling.offset = a[0];
     coupling.factor = a[1];
     const bool is_linear = a[2].is_zero() && a[3].is_zero() && a[4].is_zero();
@@ -32,10 +35,18 @@ void read_coupling(const Element& e, const Attribute& joint, Document& document,
 
 }  // namespace
 
-void read_equalities(const Element& section, const Options& options, Document& document, Diagnostics& diagnostics) {
-  for (const Element& e : section.children) {
-    const Attribute* active = find(e, "active");
-    if (active != nullptr && active->value == "false") continue;
+void read_equalities(
+    const Element& section,
+    const Settings& settings,
+    const Defaults& defaults,
+    const Options& options,
+    Document& document,
+    Diagnostics& diagnostics) {
+  if (!settings.has_equalities()) return;
+  for (const Element& given : section.children) {
+    // A default `equality` is that of constraints of all kinds.
+    const Element e = defaults.resolved(given, nullptr, "equality");
+    if (Values(diagnostics).word(e, "active", {"false", "true"}, 1) == 0) continue;
     if (e.name != "joint") {
       ++document.ignored["equality/" + e.name];
       continue;

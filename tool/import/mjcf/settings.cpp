@@ -29,7 +29,7 @@ class SettingsReader {
     settings.balances_inertias = flag(e, "balanceinertia", settings.balances_inertias);
     settings.least_mass = values_.scalar(e, "boundmass", settings.least_mass);
     settings.least_moment = values_.scalar(e, "boundinertia", settings.least_moment);
-    if (const Attribute* range = find(e, "inertiagrouprange")) settings.group_range = range->place;
+    if (const Attribute* range = find(e, "inertiagrouprange")) read_groups(*range);
     if (values_.word(e, "coordinate", {"local", "global"}, 0) == 1)
       refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
           "versions of MuJoCo that read global coordinates save the model with local ones";
@@ -63,12 +63,25 @@ class SettingsReader {
     return values_.word(e, attribute, {"false", "true"}, otherwise ? 1 : 0) == 1;
   }
 
+  void read_groups(const Attribute& range) {
+    const std::optional<std::vector<Number>> groups = values_.read(range, 2, 2);
+    if (!groups) return;
+    settings.first_group = (*groups)[0];
+    settings.last_group = (*groups)[1];
+  }
+
   void check_flags(const Element& flags) {
+    const auto enabled = [&](const char* what, bool otherwise) {
+      return values_.word(flags, what, {"disable", "enable"}, otherwise ? 1 : 0) == 1;
+    };
+    settings.constraints = enabled("constraint", settings.constraints);
+    settings.equalities = enabled("equality", settings.equalities);
+    settings.friction = enabled("frictionloss", settings.friction);
     for (const char* what : {"gravity", "passive", "spring", "damper"}) {
-      const Attribute* flag = find(flags, what);
-      if (flag == nullptr || flag->value != "disable") continue;
+      if (enabled(what, true)) continue;
       diagnostics_.warning(
-          "flag-ignored", flag->place, fmt::format("the flag that disables '{}' in MuJoCo is ignored", what));
+          "flag-ignored", find(flags, what)->place,
+          fmt::format("the flag that disables '{}' in MuJoCo is ignored", what));
     }
   }
 

@@ -15,9 +15,13 @@ struct Settings {
   InertiaFromGeoms inertia_from_geoms = InertiaFromGeoms::where_absent;
   bool limits_follow_ranges = true;  // a joint with a range is limited unless it says otherwise
   bool balances_inertias = false;
-  Number least_mass, least_moment;  // MuJoCo raises smaller values
-  Place group_range;                // of geoms that have mass; without a source: all geoms have mass
+  bool constraints = true, equalities = true, friction = true;  // false: disabled by a flag
+  Number least_mass, least_moment;                              // MuJoCo raises smaller values
+  Number first_group, last_group = Number(5.0);                 // of the geoms from which bodies take their mass
 
+  // Equalities and friction are constraints, too.
+  bool has_equalities() const { return constraints && equalities; }
+  bool has_friction() const { return constraints && friction; }
   // Converts an angle in the unit of the document to radians.
   Number angle(const Number& written) const { return degrees ? written * Number::pi_multiple(1, 180) : written; }
   // Warns about an angle in radians of this many turns or more, which is probably in degrees.
@@ -26,7 +30,7 @@ struct Settings {
 
 // Later elements override earlier ones. Reports malformed values and unsupported changes of the model (global
 // coordinates, a total mass). Notes or warns about gravity other than (0, 0, -9.81), forces of a medium, and flags that
-// disable forces.
+// disable forces other than those of constraints.
 Settings read_settings(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

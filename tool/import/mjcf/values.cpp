@@ -39,7 +39,12 @@ bool has_orientation(const Element& element) {
   return std::any_of(element.attributes.begin(), element.attributes.end(), is_orientation);
 }
 
-std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t least, std::size_t most) {
+bool has_nonzero(const Attribute& attribute, Diagnostics& diagnostics) {
+  const std::vector<Number> n = Values(diagnostics).numbers(attribute, 1, 3);
+  return std::any_of(n.begin(), n.end(), [](const Number& x) { return !x.is_zero(); });
+}
+
+std::optional<std::vector<Number>> Values::read(const Attribute& attribute, std::size_t least, std::size_t most) {
   constexpr std::size_t kMaxShown = 40;
   std::vector<Number> result;
   for (const std::string& word : words_of(attribute.value)) {
@@ -48,11 +53,11 @@ std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t leas
       diagnostics_.error(
           "not-a-number", attribute.place,
           fmt::format("'{}' is not a finite decimal number", word.substr(0, kMaxShown)));
-      return std::vector<Number>(least);
+      return std::nullopt;
     }
     if (std::abs(number->value()) >= kTooLarge) {
       diagnostics_.error("too-large", attribute.place, too_large(word));
-      return std::vector<Number>(least);
+      return std::nullopt;
     }
     result.push_back(std::abs(number->value()) < kZero ? Number() : *number);
   }
@@ -61,12 +66,16 @@ std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t leas
   diagnostics_.error(
       "component-count", attribute.place,
       fmt::format("'{}' needs {} number{}, found {}", attribute.name, count, most == 1 ? "" : "s", result.size()));
-  return std::vector<Number>(least);
+  return std::nullopt;
+}
+
+std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t least, std::size_t most) {
+  return read(attribute, least, most).value_or(std::vector<Number>(least));
 }
 
 Number Values::scalar(const Element& element, const char* attribute, const Number& otherwise) {
   const Attribute* found = find(element, attribute);
-  return found == nullptr ? otherwise : numbers(*found, 1, 1)[0];
+  return found == nullptr ? otherwise : read(*found, 1, 1).value_or(std::vector<Number>{otherwise})[0];
 }
 
 std::array<Number, 3> Values::triple(
@@ -75,8 +84,8 @@ std::array<Number, 3> Values::triple(
     const std::array<Number, 3>& otherwise) {
   const Attribute* found = find(element, attribute);
   if (found == nullptr) return otherwise;
-  const std::vector<Number> n = numbers(*found, 3, 3);
-  return {n[0], n[1], n[2]};
+  const std::optional<std::vector<Number>> n = read(*found, 3, 3);
+  return n ? std::array<Number, 3>{(*n)[0], (*n)[1], (*n)[2]} : otherwise;
 }
 
 std::size_t Values::word(
