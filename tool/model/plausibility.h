@@ -11,7 +11,7 @@ void check_link_ids(const Description& description, Diagnostics& diagnostics);
 
 // Warns, with the numbers, about a negative or zero mass, and about impossible moments of inertia: negative about some
 // axis through the centre of mass, or one larger than the sum of the other two. Parameters have their default values.
-// Properties that depend on parameters without one are not checked, nor are those of a fixed base, which are never used.
+// Properties that depend on parameters without one are not checked, nor are those of a fixed base, which are not used.
 void check_mass_properties(const Description& description, Diagnostics& diagnostics);
 
 // Reports negative drive values, by the default values of parameters, and impossible limits.
