@@ -146,7 +146,7 @@ TEST(Expression, OfFullArithmetic) {
 
 TEST(Expression, JuxtaposesLikeAProduct) {
   EXPECT_EQ(read("2.0 PI/3.0"), "(/ (* 2.0 pi:PI) 3.0)");
-  EXPECT_EQ(read("PI/2.0 a"), "(* (/ pi:PI 2.0) a)");
+  EXPECT_EQ(read("PI/2.0 a"), "[product-after-division] (* (/ pi:PI 2.0) a)");
   EXPECT_EQ(read("1.0 + 2.0 a"), "(+ 1.0 (* 2.0 a))");
   EXPECT_EQ(read("2.0 a b"), "(* 2.0 a) | b") << "only after a number";
   EXPECT_EQ(read("(2.0) a"), "2.0 | a") << "only after the number itself";

@@ -82,7 +82,9 @@ void Scopes::check(const DocumentPtr& document, const kinematics::Part& part) {
   for (const kinematics::PartParameter& parameter : part.parameters) {
     const auto [earlier, is_new] = known.insert({parameter.name.text, parameter.name.span});
     if (is_new) {
-      if (!used.contains(parameter.name.text))
+      // A name that is similar to it is reported itself.
+      const bool is_misspelt = !did_you_mean(parameter.name.text, {used.begin(), used.end()}).empty();
+      if (!used.contains(parameter.name.text) && !is_misspelt)
         diagnostics_.warning(
             "unused-parameter", place(parameter.name.span),
             fmt::format("part '{}' does not use its parameter '{}'", part.name.text, parameter.name.text));
