@@ -82,46 +82,53 @@ Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader
   return result;
 }
 
-// Exporters write -1 for a limit that is not enforced.
-std::optional<Number> read_maximum(
-    const Element& element,
-    const char* attribute,
-    const Joint& joint,
-    ElementReader& reader) {
-  const Attribute* found = find(element, attribute);
-  if (found == nullptr) return std::nullopt;
-  const Number value = reader.numbers(*found, 1, Range::any)[0];
-  if (value.value() >= 0) return value;
-  reader.diagnostics().warning(
-      "negative-limit", reader.place(found->span),
-      fmt::format(
-          "the {} limit of joint '{}' is negative: {}; taken as unlimited", attribute, joint.name.text,
-          print_double(value.value())));
-  return std::nullopt;
-}
+// Reads the attributes of one `limit`.
+class LimitReader {
+ public:
+  LimitReader(const Element& element, const Joint& joint, ElementReader& reader)
+      : element_(element), joint_(joint), reader_(reader) {}
 
-std::optional<Number> read_bound(
-    const Element& element,
-    const char* attribute,
-    const Joint& joint,
-    ElementReader& reader) {
-  const Attribute* found = find(element, attribute);
-  if (found == nullptr) return std::nullopt;
-  const Number value = reader.numbers(*found, 1, Range::any)[0];
-  if (joint.type == JointType::revolute && std::abs(value.value()) < model::kNoLimit)
-    reader.check_angle(value, reader.place(found->span), kTurnsOfJoint);
-  return value;
-}
+  // Exporters write -1 for a limit that is not enforced.
+  std::optional<Number> maximum(const char* attribute) {
+    const std::optional<Number> value = number(attribute);
+    if (!value || value->value() >= 0) return value;
+    reader_.diagnostics().warning(
+        "negative-limit", place(attribute),
+        fmt::format(
+            "the {} limit of joint '{}' is negative: {}; taken as unlimited", attribute, joint_.name.text,
+            print_double(value->value())));
+    return std::nullopt;
+  }
+
+  std::optional<Number> bound(const char* attribute) {
+    const std::optional<Number> value = number(attribute);
+    if (value && joint_.type == JointType::revolute && std::abs(value->value()) < model::kNoLimit)
+      reader_.check_angle(*value, place(attribute), kTurnsOfJoint);
+    return value;
+  }
+
+ private:
+  const Element& element_;
+  const Joint& joint_;
+  ElementReader& reader_;
+
+  Place place(const char* attribute) const { return reader_.place(find(element_, attribute)->span); }
+
+  std::optional<Number> number(const char* attribute) {
+    const Attribute* found = find(element_, attribute);
+    if (found == nullptr) return std::nullopt;
+    return reader_.numbers(*found, 1, Range::any)[0];
+  }
+};
 
 Limit read_limit(const Element& element, const Joint& joint, ElementReader& reader) {
   Limit result;
   const Place own_place = reader.place(element.span);
   const Names known = {"lower", "upper", "effort", "velocity"};
   reader.check_attributes(element, {"lower", "upper"}, known, false);
-  result.lower = read_bound(element, "lower", joint, reader);
-  result.upper = read_bound(element, "upper", joint, reader);
-  result.effort = read_maximum(element, "effort", joint, reader);
-  result.velocity = read_maximum(element, "velocity", joint, reader);
+  LimitReader read(element, joint, reader);
+  result.lower = read.bound("lower"), result.upper = read.bound("upper");
+  result.effort = read.maximum("effort"), result.velocity = read.maximum("velocity");
   Names missing;
   for (const char* maximum : {"effort", "velocity"})
     if (find(element, maximum) == nullptr) missing.push_back(maximum);
