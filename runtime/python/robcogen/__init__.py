@@ -1,8 +1,9 @@
 """Robots as Python modules, without a build system: load("arm.urdf") generates the code of a robot, compiles it once and
 imports it.
 
-It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++ compiler (CXX, which may have
-arguments, or c++, g++, clang++) and the headers of Python. Warnings and notes of the generator go to stderr. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
+It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++
+compiler (CXX, which may have arguments, or c++, g++, clang++) and the headers of Python. Warnings and notes of the
+generator go to stderr. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
 """
 import hashlib
 import importlib.machinery
@@ -37,7 +38,10 @@ class Error(Exception):
 
 
 def load(model, **options):
-    """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl). The options are those of build()."""
+    """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl).
+
+    The options are those of build().
+    """
     path = build(model, **options)
     name = path.name.split(".")[0]
     loader = importlib.machinery.ExtensionFileLoader(name, str(path))
