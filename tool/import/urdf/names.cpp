@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "import/identifier.h"
@@ -32,6 +33,18 @@ void take(Taken& taken, const std::string& identifier, const Name& name, const c
   }
 }
 
+// Returns `<name>_joint`, or `<name>_joint_2`, …: the first that is not the name of a link or of a joint.
+std::string unused_name(const std::string& name, const Taken& links, const Document& document) {
+  std::string result = name + "_joint";
+  const auto is_used = [&] {
+    return links.contains(result) || std::any_of(document.joints.begin(), document.joints.end(), [&](const Joint& j) {
+             return has_axis(j) && identifier(j.name.text) == result;
+           });
+  };
+  for (int k = 2; is_used(); ++k) result = fmt::format("{}_joint_{}", name, k);
+  return result;
+}
+
 }  // namespace
 
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
@@ -46,16 +59,7 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
   for (const Joint& joint : document.joints) {
     std::string name = has_axis(joint) ? identifier(joint.name.text) : "";
     if (const auto link = links.find(name); link != links.end() && !name.empty()) {
-      const std::string longer = name + "_joint";
-      if (const auto other = links.find(longer); other != links.end()) {
-        diagnostics
-            .error(
-                "name-collision", joint.name.place,
-                fmt::format(
-                    "joint '{}' has the name of a link, and '{}' is the name of link '{}'", joint.name.text, longer,
-                    other->second->text))
-            .notes.push_back({other->second->place, fmt::format("'{}' is declared here", other->second->text)});
-      }
+      const std::string longer = unused_name(name, links, document);
       diagnostics
           .note(
               "joint-renamed", joint.name.place,

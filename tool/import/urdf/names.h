@@ -11,8 +11,8 @@ struct Identifiers {
   std::vector<std::string> joints;  // likewise; empty for joints that the model does not have
 };
 
-// Gives a joint with the name of a link the name `<name>_joint`, with a note. Reports two names of one kind that become
-// equal, and names that are too long for a robot document.
+// Gives a joint with the name of a link the name `<name>_joint`, or `<name>_joint_2`, …, with a note. Reports two names
+// of one kind that become equal, and names that are too long for a robot document.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_urdf
