@@ -51,6 +51,23 @@ void check_tendons(
           count, count == 1 ? "" : "s"));
 }
 
+// Scales all masses to the total mass, in which bodies that do not move count too. Their masses are then removed.
+void scale_masses(const Number& total, Document& document) {
+  double sum = 0.0;
+  for (const Body& body : document.bodies)
+    for (const Part& part : body.parts) sum += part.mass.value();
+  if (!(sum > 0.0)) return;
+  const Number factor(total.value() / sum);
+  std::vector<bool> moves;
+  for (Body& body : document.bodies) {
+    const bool is_carried = body.parent >= 0 && moves[static_cast<std::size_t>(body.parent)];
+    moves.push_back(is_carried || body.floats || !body.joints.empty());
+    if (!moves.back()) body.parts.clear();
+    for (Part& part : body.parts)
+      for (Number* n : {&part.mass, &part.xx, &part.yy, &part.zz, &part.xy, &part.xz, &part.yz}) *n = *n * factor;
+  }
+}
+
 }  // namespace
 
 void report_unknown(const Element& element, const std::vector<std::string>& known, Diagnostics& diagnostics) {
@@ -76,6 +93,7 @@ Document read_document(const Element& root, const Options& options, Diagnostics&
       ignore_section(section, document, diagnostics);
     }
   }
+  if (settings.scales_masses()) scale_masses(settings.total_mass, document);
   std::erase_if(document.ignored, [](const auto& entry) { return entry.second == 0; });
   return document;
 }

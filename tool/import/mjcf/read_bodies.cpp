@@ -98,7 +98,7 @@ class BodyReader {
     }
     read_content(e, body, {}, childclass);
     const Name name = document_.bodies[body.index].name;
-    if (body.moves) {
+    if (body.moves || settings_.scales_masses()) {
       document_.bodies[body.index].parts =
           read_parts(name, body.has_inertial ? &body.inertial : nullptr, body.geoms, context(childclass));
     }

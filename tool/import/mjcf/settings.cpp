@@ -33,9 +33,7 @@ class SettingsReader {
     if (values_.word(e, "coordinate", {"local", "global"}, 0) == 1)
       refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
           "versions of MuJoCo that read global coordinates save the model with local ones";
-    if (values_.scalar(e, "settotalmass", Number(-1.0)).value() > 0.0)
-      refuse(*find(e, "settotalmass"), "a total mass, to which all masses are scaled, is not supported").hint =
-          "scale the masses in the file";
+    settings.total_mass = values_.scalar(e, "settotalmass", settings.total_mass);
   }
 
   void read_option(const Element& e) {

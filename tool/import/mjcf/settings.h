@@ -17,8 +17,10 @@ struct Settings {
   bool balances_inertias = false;
   bool constraints = true, equalities = true, friction = true;  // false: disabled by a flag
   Number least_mass, least_moment;                              // MuJoCo raises smaller values
+  Number total_mass;                                            // if positive, MuJoCo scales all masses to it
   Number first_group, last_group = Number(5.0);                 // of the geoms from which bodies take their mass
 
+  bool scales_masses() const { return total_mass.value() > 0.0; }
   // Equalities and friction are constraints, too.
   bool has_equalities() const { return constraints && equalities; }
   bool has_friction() const { return constraints && friction; }
@@ -28,8 +30,8 @@ struct Settings {
   void check_angle(const Number& written, double turns, const Place& place, Diagnostics& diagnostics) const;
 };
 
-// Later elements override earlier ones. Reports malformed values and unsupported changes of the model (global
-// coordinates, a total mass). Notes or warns about gravity other than (0, 0, -9.81), forces of a medium, and flags that
+// Later elements override earlier ones. Reports malformed values and global coordinates, which are not
+// supported. Notes or warns about gravity other than (0, 0, -9.81), forces of a medium, and flags that
 // disable forces other than those of constraints.
 Settings read_settings(const Element& root, Diagnostics& diagnostics);
 
