@@ -119,7 +119,8 @@ async function preview() {
   panel.dispose();
   text = right.replace('Robot HyL', 'Robot');
   await commands['robcogen.view']();
-  assert.match(panels[1].webview.html, /^<pre>robcogen: warning: -I: [^\n]*'\/opt\/parts'[^\n]*\nhyl\.kindsl:\d+:\d+: error/);
+  const messages = /^<pre>robcogen: warning: -I: [^\n]*'\/opt\/parts'[^\n]*\nhyl\.kindsl:\d+:\d+: error/;
+  assert.match(panels[1].webview.html, messages);
   panels[1].dispose();
   settings['robcogen.path'] = '/nowhere/robcogen';
   await commands['robcogen.view']();
