@@ -65,7 +65,7 @@ void report_missing_folders(const std::vector<std::filesystem::path>& folders, E
   std::error_code ignored;
   for (const std::filesystem::path& folder : folders)
     if (!std::filesystem::is_directory(folder, ignored))
-      diagnostics.warning("no-import-folder", {}, fmt::format("-I: there is no folder '{}'", folder.string()));
+      diagnostics.warning("no-import-folder", {}, fmt::format("-I: folder '{}' does not exist", folder.string()));
   report(diagnostics.render(format));
 }
 

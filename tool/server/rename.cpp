@@ -98,7 +98,7 @@ Json prepare_rename(Workspace& workspace, const Json& parameters) {
 Json rename(Workspace& workspace, const Json& parameters) {
   Lookup lookup(workspace, parameters);
   const std::string name = parameters.at("newName").get<std::string>();
-  if (lookup.at_place == nullptr) refuse("there is no name to rename here");
+  if (lookup.at_place == nullptr) refuse("no name to rename here");
   const Symbol symbol = lookup.at_place->symbol;
   if (!is_identifier(name))
     refuse(fmt::format("'{}' is not a valid identifier: names consist of A-Z, a-z, 0-9 and '_'", name));

@@ -58,7 +58,7 @@ TEST(Usage, FoldersOfImportsThatDoNotExistAreMentioned) {
         "convert " + model + " " + quoted(scratch.path / "hyl.urdf")}) {
     const Outcome run = run_tool(command + " -I no-such-folder -I " + quoted(scratch.path));
     EXPECT_EQ(run.status, 0) << command;
-    EXPECT_EQ(run.errors.find("robcogen: warning: -I: there is no folder 'no-such-folder' [no-import-folder]\n"), 0U)
+    EXPECT_EQ(run.errors.find("robcogen: warning: -I: folder 'no-such-folder' does not exist [no-import-folder]\n"), 0U)
         << run.errors;
     EXPECT_EQ(run.errors.find(scratch.path.string() + "'"), std::string::npos) << run.errors;
   }

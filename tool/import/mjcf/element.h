@@ -55,7 +55,7 @@ class Values {
   std::optional<std::vector<Number>> read(const Attribute& attribute, std::size_t least, std::size_t most);
   // The same; returns `least` zeros if the value is malformed.
   std::vector<Number> numbers(const Attribute& attribute, std::size_t least, std::size_t most);
-  // Reads a number; returns `otherwise` if there is no such attribute, or if its value is malformed.
+  // Reads a number; returns `otherwise` if the attribute is missing or its value is malformed.
   Number scalar(const Element& element, const char* attribute, const Number& otherwise = Number());
   std::array<Number, 3> triple(const Element& element, const char* attribute, const std::array<Number, 3>& otherwise);
   // Reads one of the words and returns its index; `otherwise` if there is no such attribute.
