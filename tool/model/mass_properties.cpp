@@ -33,20 +33,6 @@ Matrix given_tensor(const Inertia& i) {
   return {{{evaluate(i.ixx), xy, xz}, {xy, evaluate(i.iyy), yz}, {xz, yz, evaluate(i.izz)}}};
 }
 
-// The tensor about the centre of mass.
-Matrix central_tensor(const Inertia& i) {
-  Matrix tensor = given_tensor(i);
-  const double m = evaluate(i.mass);
-  const std::array<double, 3> c = {evaluate(i.com[0]), evaluate(i.com[1]), evaluate(i.com[2])};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
-    tensor[j][j] -= m * (c[k] * c[k] + c[l] * c[l]);
-    tensor[j][k] += m * c[j] * c[k];
-    tensor[k][j] += m * c[j] * c[k];
-  }
-  return tensor;
-}
-
 constexpr const char* kByDefault = ", by the default values of parameters";
 
 void check_mass(const DescribedLink& link, const std::vector<Parameter>& parameters, Diagnostics& diagnostics) {
@@ -145,6 +131,19 @@ void check_moments(
 }
 
 }  // namespace
+
+Matrix central_tensor(const Inertia& i) {
+  Matrix tensor = given_tensor(i);
+  const double m = evaluate(i.mass);
+  const std::array<double, 3> c = {evaluate(i.com[0]), evaluate(i.com[1]), evaluate(i.com[2])};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
+    tensor[j][j] -= m * (c[k] * c[k] + c[l] * c[l]);
+    tensor[j][k] += m * c[j] * c[k];
+    tensor[k][j] += m * c[j] * c[k];
+  }
+  return tensor;
+}
 
 void check_mass_properties(const Description& description, Diagnostics& diagnostics) {
   Distances distances, from_parent;  // the latter by link

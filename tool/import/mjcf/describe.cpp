@@ -37,16 +37,6 @@ Pose to_zero(const Joint& joint) {
   return {{model::Quantity(), model::Quantity(), quantity(-joint.reference)}, {}};
 }
 
-model::Inertia inertia_of(const Part& part, const Pose& body) {
-  model::Inertia result;
-  result.mass = quantity(part.mass);
-  result.ixx = quantity(part.xx), result.iyy = quantity(part.yy), result.izz = quantity(part.zz);
-  // The model stores products of inertia; the tensor contains their negatives.
-  result.ixy = quantity(-part.xy), result.ixz = quantity(-part.xz), result.iyz = quantity(-part.yz);
-  result.reference = placement_of(body * part.pose);
-  return result;
-}
-
 class Describer {
  public:
   Describer(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics)

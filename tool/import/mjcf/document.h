@@ -34,6 +34,9 @@ struct Part {
   Place inertia_place;
 };
 
+// Returns the inertia of a part of the body that has this pose, in the frame of the pose.
+model::Inertia inertia_of(const Part& part, const Pose& body);
+
 struct Joint {
   Name name;
   model::JointType type = model::JointType::revolute;

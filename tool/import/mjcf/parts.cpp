@@ -21,45 +21,13 @@ SymmetricMatrix tensor_of(const Part& part) {
   return {{{part.xx.value(), xy, xz}, {xy, part.yy.value(), yz}, {xz, yz, part.zz.value()}}};
 }
 
-double mass_of(const std::vector<Part>& parts) {
-  double sum = 0.0;
-  for (const Part& part : parts) sum += part.mass.value();
-  return sum;
-}
-
-// The centre of mass of the body, if it has mass.
-std::array<double, 3> centre_of(const std::vector<Part>& parts) {
-  const double mass = mass_of(parts);
-  std::array<double, 3> centre = {};
-  for (const Part& part : parts)
-    for (std::size_t i = 0; i < 3 && mass > 0.0; ++i)
-      centre[i] += part.mass.value() / mass * model::evaluate(part.pose.translation[i]);
-  return centre;
-}
-
-// Adds the tensor of the part to that of the body about this point, in axes of the body.
-void add(SymmetricMatrix& sum, const Part& part, const std::array<double, 3>& point) {
-  const auto R = model::rotation_matrix(placement_of(part.pose));
-  const SymmetricMatrix own = tensor_of(part);
-  std::array<double, 3> arm = {};
-  for (std::size_t i = 0; i < 3; ++i) arm[i] = model::evaluate(part.pose.translation[i]) - point[i];
-  const double square = arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum[i][j] += part.mass.value() * ((i == j ? square : 0.0) - arm[i] * arm[j]);
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t l = 0; l < 3; ++l)
-          sum[i][j] += model::evaluate(R[i][k]) * own[k][l] * model::evaluate(R[j][l]);
-    }
-  }
-}
-
 // The principal moments of a body about its centre of mass, in ascending order.
 std::array<double, 3> moments_of(const std::vector<Part>& parts) {
   if (parts.size() == 1) return model::principal_moments(tensor_of(parts.front()));
-  SymmetricMatrix sum = {};
-  for (const Part& part : parts) add(sum, part, centre_of(parts));
-  return model::principal_moments(sum);
+  std::vector<model::Inertia> all;
+  for (const Part& part : parts) all.push_back(inertia_of(part, {}));
+  const std::optional<model::Inertia> sum = model::sum_of(all);
+  return sum ? model::principal_moments(model::central_tensor(*sum)) : std::array<double, 3>();
 }
 
 class PartReader {
@@ -98,7 +66,9 @@ class PartReader {
     const double mass = context_.settings.least_mass.value(), moment = context_.settings.least_moment.value();
     if (mass <= 0.0 && moment <= 0.0) return;
     const auto reaches = [](double value, double bound) { return value >= bound * (1.0 - kMomentRounding); };
-    if (reaches(mass_of(parts), mass) && reaches(moments_of(parts)[0], moment)) return;
+    double sum = 0.0;
+    for (const Part& part : parts) sum += part.mass.value();
+    if (reaches(sum, mass) && reaches(moments_of(parts)[0], moment)) return;
     diagnostics_
         .error(
             "below-bound", parts.empty() ? body_.place : parts.front().mass_place,
@@ -147,6 +117,16 @@ class PartReader {
 };
 
 }  // namespace
+
+model::Inertia inertia_of(const Part& part, const Pose& body) {
+  model::Inertia result;
+  result.mass = quantity(part.mass);
+  result.ixx = quantity(part.xx), result.iyy = quantity(part.yy), result.izz = quantity(part.zz);
+  // The model stores products of inertia; the tensor contains their negatives.
+  result.ixy = quantity(-part.xy), result.ixz = quantity(-part.xz), result.iyz = quantity(-part.yz);
+  result.reference = placement_of(body * part.pose);
+  return result;
+}
 
 std::vector<Part> read_parts(
     const Name& body,
