@@ -440,13 +440,21 @@ function(_robcogen_add_selfcheck target)
   _robcogen_link_harness(${target} robcogen::selfcheck_harness)
   _robcogen_add_checks(checks)
   target_link_libraries(${target} PRIVATE ${checks})
-  _robcogen_set_test_options(${target})
+  _robcogen_set_selfcheck_options(${target})
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
-# A self-check compiles about as long as it runs: builds of this project use -Og.
+# A test program compiles longer than it runs: builds of this project do not optimise it, and may use another compiler.
 function(_robcogen_set_test_options target)
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
+  if(ROBCOGEN_TEST_LAUNCHER AND ROBCOGEN_TEST_OPTIONS)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${ROBCOGEN_TEST_LAUNCHER}")
+  endif()
+endfunction()
+
+# The same for self-checks, which include the same headers.
+function(_robcogen_set_selfcheck_options target)
+  _robcogen_set_test_options(${target})
   if(TARGET robcogen_selfcheck_headers AND ROBCOGEN_TEST_OPTIONS)
     target_precompile_headers(${target} REUSE_FROM robcogen_selfcheck_headers)
   endif()
@@ -477,7 +485,7 @@ function(_robcogen_add_checks result)
   endif()
   add_library(${target} STATIC EXCLUDE_FROM_ALL)
   target_link_libraries(${target} PRIVATE robcogen::checks_harness)
-  _robcogen_set_test_options(${target})
+  _robcogen_set_selfcheck_options(${target})
   set_target_properties(${target} PROPERTIES FOLDER robots POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
