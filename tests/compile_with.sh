@@ -9,8 +9,10 @@ shift
 for argument; do
   shift
   case $argument in
-    "$gcc" | --param=* | -Wno-restrict | -Winvalid-pch) ;;
-    *) set -- "$@" "$argument" ;;
+    "$gcc" | --param=* | -Wno-restrict | -Winvalid-pch) continue ;;
+    # clang would include the old precompiled header while it makes the new one.
+    *.gch) rm -f "$argument" ;;
   esac
+  set -- "$@" "$argument"
 done
 exec "$@" -fpch-instantiate-templates -Wno-unused-command-line-argument
