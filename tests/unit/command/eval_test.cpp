@@ -68,12 +68,12 @@ TEST_F(Eval, MatricesAreNestedRows) {
   EXPECT_EQ(eval("joint_space_inertia", {{"q", {0.7}}})["H"], json::parse("[[0.5]]"));
   const json x = eval("transforms.homogeneous.fr_base_X_tip", {{"q", {0.0}}})["X"];
   const json expected = json::parse("[[1, 0, 0, 0.5], [0, 0, 1, 0], [0, -1, 0, 1], [0, 0, 0, 1]]");
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) EXPECT_NEAR(x[r][c].get<double>(), expected[r][c].get<double>(), kRounding);
+  for (std::size_t r = 0; r < 4; ++r)
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(x[r][c].get<double>(), expected[r][c].get<double>(), kRounding);
   const json j = eval("jacobians.fr_base_J_tip", {{"q", {0.0}}})["J"];
   ASSERT_EQ(j.size(), 6U);
   const double column[] = {0, 1, 0, 0, 0, -0.5};
-  for (int r = 0; r < 6; ++r) EXPECT_NEAR(j[r][0].get<double>(), column[r], kRounding);
+  for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(j[r][0].get<double>(), column[r], kRounding);
 }
 
 // The results of one function are arguments of the next one.

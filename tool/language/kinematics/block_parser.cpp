@@ -8,7 +8,7 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-const WordList kPlacementItems = {"translation", "rotation"};
+constexpr WordList kPlacementItems = {"translation", "rotation"};
 
 }  // namespace
 

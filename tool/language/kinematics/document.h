@@ -179,9 +179,9 @@ struct Actuator {
 };
 
 // The words for the types of loops.
-inline const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
+inline constexpr std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
 // How a loop is assembled: as it is drawn, or on the other branch.
-inline const std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
+inline constexpr std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
 
 // The elements of a robot or of a part.
 struct Body {

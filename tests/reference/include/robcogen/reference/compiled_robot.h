@@ -235,8 +235,11 @@ class CompiledRobot {
   Matrix<double> base_regressor(const State& m, const Arguments& arguments) const {
     return with_gravity(arguments, [&](const auto&... g) {
       return of_motion(m, [&](const auto&... state) {
-        if constexpr (R::kFloatingBase || sizeof...(g) == 0) {
+        // Two conditions: clang 14 does not know sizeof...(g) yet where it looks for members.
+        if constexpr (R::kFloatingBase) {
           return robot_.base_regressor(state..., g...);
+        } else if constexpr (sizeof...(g) == 0) {
+          return robot_.base_regressor(state...);
         } else {
           return robot_.base_regressor_any_gravity(state..., g...);
         }
