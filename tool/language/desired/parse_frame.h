@@ -9,7 +9,7 @@
 
 namespace robcogen::language::desired {
 
-inline constexpr std::initializer_list<std::string_view> kSections = {"Frames", "Transforms", "Jacobians", "Contacts"};
+const std::initializer_list<std::string_view> kSections = {"Frames", "Transforms", "Jacobians", "Contacts"};
 
 // 'Contacts' is not a reserved word: a frame may have this name.
 bool at_section_word(const Cursor& cursor);

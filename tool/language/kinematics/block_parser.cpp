@@ -8,7 +8,7 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-constexpr WordList kPlacementItems = {"translation", "rotation"};
+const WordList kPlacementItems = {"translation", "rotation"};
 
 }  // namespace
 

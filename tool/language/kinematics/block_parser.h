@@ -24,9 +24,9 @@ using Words = std::vector<Token>;
 std::string quoted(WordList words);
 
 // The words that begin the elements of a robot.
-inline constexpr WordList kElements = {"RobotBase", "link", "r_joint", "p_joint"};
+const WordList kElements = {"RobotBase", "link", "r_joint", "p_joint"};
 // Words that the first RobCoGen does not know. They are names, except where an element begins.
-inline constexpr WordList kNewElements = {"h_joint", "c_joint", "u_joint", "planar_joint", "s_joint"};
+const WordList kNewElements = {"h_joint", "c_joint", "u_joint", "planar_joint", "s_joint"};
 
 // After an error in an item, the parser skips to the next item of the block or to its end. If the braces do not match,
 // it skips to the next element, because the keyword of an element cannot stand anywhere else.

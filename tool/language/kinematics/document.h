@@ -178,10 +178,11 @@ struct Actuator {
   std::array<Name, 2> frames;
 };
 
-// The words for the types of loops.
-inline constexpr std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
+// The words for the types of loops. (Not inline: gcc 12 initialises an inline list at run time, clang at compile time, in
+// memory that the program must not write. A program with objects of both would crash.)
+const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
 // How a loop is assembled: as it is drawn, or on the other branch.
-inline constexpr std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
+const std::initializer_list<std::string_view> kLoopBranches = {"drawn", "other"};
 
 // The elements of a robot or of a part.
 struct Body {

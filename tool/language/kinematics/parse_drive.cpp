@@ -3,10 +3,10 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-constexpr WordList kFrictionItems = {"force", "velocity"};
-constexpr WordList kSpringItems = {"stiffness", "rest"};
-constexpr WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
-constexpr WordList kLimitItems = {"position", "velocity", "effort"};
+const WordList kFrictionItems = {"force", "velocity"};
+const WordList kSpringItems = {"stiffness", "rest"};
+const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
+const WordList kLimitItems = {"position", "velocity", "effort"};
 
 // Parses a block of two values, of which only the first is mandatory.
 bool pair(

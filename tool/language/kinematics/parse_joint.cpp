@@ -8,15 +8,15 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-constexpr WordList kJointItems = {"id",     "ref_frame", "damping", "friction", "armature",
+const WordList kJointItems = {"id",     "ref_frame", "damping", "friction", "armature",
                               "spring", "rotor",     "limits",  "assembled"};
-constexpr WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
+const WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
                                 "armature", "spring",    "rotor", "limits",  "assembled"};
-constexpr WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
-constexpr WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
-constexpr WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
-constexpr WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
-constexpr WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
+const WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
+const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
+const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
+const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
+const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
 
 Joint::Type type_of(std::string_view word) {
   using enum Joint::Type;

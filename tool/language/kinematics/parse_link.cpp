@@ -8,12 +8,12 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-constexpr WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "children", "frames"};
-constexpr WordList kLinkNeeds = {"id", "children"};
-constexpr WordList kLinkNeedsInPart = {"children"};
-constexpr WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
-constexpr WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
-constexpr WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
+const WordList kLinkItems = {"id", "inertia_params", "inertia_properties", "children", "frames"};
+const WordList kLinkNeeds = {"id", "children"};
+const WordList kLinkNeedsInPart = {"children"};
+const WordList kBaseItems = {"inertia_params", "inertia_properties", "children", "frames"};
+const WordList kInertiaItems = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
+const WordList kInertiaNeeds = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"};
 
 class LinkParser {
  public:

@@ -5,8 +5,8 @@
 namespace robcogen::language::kinematics {
 namespace {
 
-constexpr WordList kLoopItems = {"frames", "type", "distance", "branch"};
-constexpr WordList kActuatorItems = {"from", "to"};
+const WordList kLoopItems = {"frames", "type", "distance", "branch"};
+const WordList kActuatorItems = {"from", "to"};
 
 void take_comments(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
