@@ -10,6 +10,8 @@ for argument; do
   shift
   case $argument in
     "$gcc" | --param=* | -Wno-restrict | -Winvalid-pch) continue ;;
+    -fno-tree-* | -fno-dse | -frename-registers | -fno-code-hoisting | -fno-thread-jumps) continue ;;
+    -fno-schedule-insns2 | -fschedule-insns | -fschedule-insns2 | -fsched-pressure) continue ;;
     # clang would include the old precompiled header while it makes the new one.
     *.gch) rm -f "$argument" ;;
   esac

@@ -169,7 +169,7 @@ struct Case {
 // Calls check(case) for robots that have contacts, with the functions of one group.
 template <class Check>
 void for_each_case(const std::string& group, const Check& check) {
-  const int count = std::max(40, robot_count() / 20);
+  const int count = std::max(100, robot_count() / 20);
   for (int i = 0; i < count; ++i) {
     Case c(static_cast<std::uint64_t>(i), {group});
     if (c.desired.contacts.empty() || c.robot->programs().empty()) continue;
