@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithRotors, testing::Range(0, kShards))
 
 // Robots whose losses are easily hidden: by those of another result, by those of a single state, or by the floor.
 TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {
-  for (const std::uint64_t seed : {170, 449, 525, 1871}) expect_digits(ill_robot(seed), seed);
+  for (const std::uint64_t seed : {170U, 449U, 525U, 1871U}) expect_digits(ill_robot(seed), seed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, IllRobots, testing::Range(0, kShards));

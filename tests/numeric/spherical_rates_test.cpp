@@ -246,7 +246,9 @@ TEST_P(SphericalRates, EnergyIsBalanced) {
 
 TEST_P(SphericalRates, FramesMoveAsTheirPosesDo) {
   const Subject s(GetParam());
-  for (const auto& [name, program] : s.programs()) {
+  for (const auto& function : s.programs()) {
+    const std::string& name = function.first;
+    const auto& program = function.second;
     const symbolic::OutputArray& result = program.outputs.front();
     const auto of_frames = [&](const char* letter) {
       std::string other = name;

@@ -114,7 +114,7 @@ ROBCOGEN_INLINE Numbers fused(const Numbers& a, const Numbers& b, const Numbers&
     if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(ps, a, b, c);
     if constexpr (sizeof(Numbers) == 32) return ROBCOGEN_FMA(ps256, a, b, c);
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(ps, -1, a, b, c);
+    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(ps, 0xffff, a, b, c);
 #endif
   } else {
     if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(pd, a, b, c);
