@@ -22,12 +22,19 @@
 #undef ROBCOGEN_FUSES
 #define ROBCOGEN_FUSES 1
 #define ROBCOGEN_FMA(suffix, a, b, c) __builtin_elementwise_fma(a, b, c)
-#define ROBCOGEN_FMA512(suffix, mask, a, b, c) __builtin_elementwise_fma(a, b, c)
+#define ROBCOGEN_FMA512(suffix, a, b, c) __builtin_elementwise_fma(a, b, c)
 #elif __has_builtin(__builtin_ia32_vfmaddpd) && __has_builtin(__builtin_ia32_vfmaddpd256)
 #undef ROBCOGEN_FUSES
 #define ROBCOGEN_FUSES 1
 #define ROBCOGEN_FMA(suffix, a, b, c) __builtin_ia32_vfmadd##suffix(a, b, c)
-#define ROBCOGEN_FMA512(suffix, mask, a, b, c) __builtin_ia32_vfmadd##suffix##512_mask(a, b, c, mask, 4)
+#define ROBCOGEN_FMA512(suffix, a, b, c) __builtin_ia32_vfmadd##suffix##512_mask(a, b, c, ROBCOGEN_ALL_##suffix, 4)
+// The masks of all lanes, of the types that the compilers declare: gcc's mask of sixteen has a sign.
+#define ROBCOGEN_ALL_pd 0xff
+#if defined(__clang__)
+#define ROBCOGEN_ALL_ps 0xffff
+#else
+#define ROBCOGEN_ALL_ps -1
+#endif
 #endif
 #endif
 
@@ -114,13 +121,13 @@ ROBCOGEN_INLINE Numbers fused(const Numbers& a, const Numbers& b, const Numbers&
     if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(ps, a, b, c);
     if constexpr (sizeof(Numbers) == 32) return ROBCOGEN_FMA(ps256, a, b, c);
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(ps, 0xffff, a, b, c);
+    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(ps, a, b, c);
 #endif
   } else {
     if constexpr (sizeof(Numbers) == 16) return ROBCOGEN_FMA(pd, a, b, c);
     if constexpr (sizeof(Numbers) == 32) return ROBCOGEN_FMA(pd256, a, b, c);
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(pd, 0xff, a, b, c);
+    if constexpr (sizeof(Numbers) == 64) return ROBCOGEN_FMA512(pd, a, b, c);
 #endif
   }
 }
@@ -305,3 +312,5 @@ ROBCOGEN_INLINE bool any_beyond(const Integers& b) noexcept {
 #undef ROBCOGEN_FUSES
 #undef ROBCOGEN_FMA
 #undef ROBCOGEN_FMA512
+#undef ROBCOGEN_ALL_pd
+#undef ROBCOGEN_ALL_ps
