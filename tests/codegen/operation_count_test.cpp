@@ -32,7 +32,7 @@ void add_operators(const std::string& line, Counts& counts) {
   // `const auto [s_q, c_q] = trig_2[1];`: one of those that are computed together.
   static const std::regex picked(R"(.*\] = trig(_\d+)?\[.*)");
   for (const char* call : {"sincos(", "sincos_of_small(", " = sin(", " = cos("}) counts[4] += occurrences(line, call);
-  counts[4] += std::regex_match(line, picked);
+  if (line.find("] = trig") != std::string::npos) counts[4] += std::regex_match(line, picked);
 }
 
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`
@@ -40,7 +40,7 @@ bool read_banner(const std::string& line, Counts& counts) {
   static const std::regex pattern(
       R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ lane moves)?[:.].*)");
   std::smatch match;
-  if (!std::regex_match(line, match, pattern)) return false;
+  if (!line.starts_with("// ") || !std::regex_match(line, match, pattern)) return false;
   for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = match[k + 1].matched ? std::stoi(match[k + 1]) : 0;
   return true;
 }
@@ -49,7 +49,8 @@ bool read_banner(const std::string& line, Counts& counts) {
 void add_angle(const std::string& line, std::set<int>& angles) {
   static const std::regex pattern(R"(.* = (?:sin|cos)_q\[(\d+)\];)");
   std::smatch match;
-  if (std::regex_match(line, match, pattern)) angles.insert(std::stoi(match[1]));
+  if (line.find("_q[") != std::string::npos && std::regex_match(line, match, pattern))
+    angles.insert(std::stoi(match[1]));
 }
 
 // The text after `word` up to the parenthesis; empty when the line does not have the word.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "language/desired/document.h"
 #include "language/desired/keywords.h"
@@ -45,12 +46,14 @@ std::vector<CodeBlock> blocks() {
 }
 
 // The rules of a language's section, followed by those of expressions.
-Grammar grammar_of(const Language& language) {
+const Grammar& grammar_of(const Language& language) {
+  static std::map<std::string, Grammar> grammars;
+  if (const auto read = grammars.find(language.extension); read != grammars.end()) return read->second;
   std::string rules;
   for (const std::string& section : {"." + language.extension, std::string("Expressions")})
     for (const CodeBlock& block : blocks())
       if (block.language == "ebnf" && block.section.ends_with(section)) rules += block.text;
-  return Grammar(rules);
+  return grammars.emplace(language.extension, Grammar(rules)).first->second;
 }
 
 // The errors of the document, without warnings.

@@ -21,9 +21,11 @@ Lines single_precision(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     std::istringstream lines(read_text(entry.path()));
-    for (std::string line; std::getline(lines, line);)
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find("float") == std::string::npos && line.find("f32") == std::string::npos) continue;
       if (std::regex_search(line.substr(0, line.find("//")), single))
         result.emplace(entry.path().lexically_relative(folder).string(), line);
+    }
   }
   return result;
 }
