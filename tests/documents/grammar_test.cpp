@@ -85,7 +85,7 @@ TEST(Grammar, HasTheKeywordsOfTheParsers) {
 
 TEST(Grammar, ParsersAcceptWhatItDerives) {
   for (const Language& language : languages()) {
-    const Grammar grammar = grammar_of(language);
+    const Grammar& grammar = grammar_of(language);
     std::mt19937 random(kSeed);
     for (int i = 0; i < kDocuments; ++i) {
       const std::string text = grammar.derive(random, kDeep);
@@ -98,7 +98,7 @@ TEST(Grammar, ParsersAcceptWhatItDerives) {
 // One token is left out, doubled or moved: grammar and parser either both accept or both refuse the result.
 TEST(Grammar, RefusesWhatParsersRefuse) {
   for (const Language& language : languages()) {
-    const Grammar grammar = grammar_of(language);
+    const Grammar& grammar = grammar_of(language);
     std::mt19937 random(kSeed);
     int refused = 0;
     for (int i = 0; i < kDocuments; ++i) {
