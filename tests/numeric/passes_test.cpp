@@ -34,7 +34,7 @@ std::string text_of(const std::vector<std::string>& passes) {
 }
 
 TEST(Passes, ChangeNoResult) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 60); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 30); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 40000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 10});
     for (const std::vector<std::string>& passes : choices()) {
