@@ -313,7 +313,7 @@ TEST(Lanes, OfRandomRobotsComputeTheSame) {
 
 TEST(Lanes, OfCoupledLimbsComputeTheSame) {
   Tally tally;
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
     SCOPED_TRACE("seed " + std::to_string(i));
     const KinematicTree tree = RobotsWithLimbs(static_cast<std::uint64_t>(1000 + i)).make_coupled();
     expect_same_results(tree, i % 3 == 0 ? std::vector<std::string>() : all_steps(), tally);
