@@ -75,8 +75,9 @@ TEST_P(FrameCandidatesOf, TurnsMakeMomentsAndProductsVanish) {
 TEST_P(FrameCandidatesOf, SlidesMakeProductsVanish) {
   const double angle = n.real();
   for (int j = 0; j < kJoints; ++j) {
-    const Eigen::Vector3d h = turned(j, angle).first;
-    const Eigen::Matrix3d S = turned(j, angle).second;
+    const std::pair<Eigen::Vector3d, Eigen::Matrix3d> moments = turned(j, angle);
+    const Eigen::Vector3d& h = moments.first;
+    const Eigen::Matrix3d& S = moments.second;
     const std::vector<Candidate> slides = candidates.slides(j, Quantity(angle), frames);
     for (int axis : {0, 1}) {
       const double needed = S(axis, 2) / h[axis];
