@@ -444,12 +444,9 @@ function(_robcogen_add_selfcheck target)
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
-# A test program compiles longer than it runs: builds of this project do not optimise it, and may use another compiler.
+# A test program compiles longer than it runs: builds of this project do not optimise it.
 function(_robcogen_set_test_options target)
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
-  if(ROBCOGEN_TEST_LAUNCHER AND ROBCOGEN_TEST_OPTIONS)
-    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${ROBCOGEN_TEST_LAUNCHER}")
-  endif()
 endfunction()
 
 # The same for self-checks, which include the same headers.

@@ -48,16 +48,16 @@ TEST(Allocation, OfPosesAndConversions) {
 }
 
 struct Palms {
-  using JointState = centaur::JointState;
-  static auto pose(const JointState& q) { return centaur::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
-  static auto jacobian(const JointState& q) { return centaur::jacobians::fr_left_palm_J_fr_right_palm(q); }
-  static constexpr auto kColumns = centaur::jacobians::fr_left_palm_J_fr_right_palm_columns;
+  using JointState = torso::JointState;
+  static auto pose(const JointState& q) { return torso::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
+  static auto jacobian(const JointState& q) { return torso::jacobians::fr_left_palm_J_fr_right_palm(q); }
+  static constexpr auto kColumns = torso::jacobians::fr_left_palm_J_fr_right_palm_columns;
 };
 
 TEST(Allocation, OfInverseKinematics) {
-  const centaur::JointState q = centaur::JointState::Constant(0.3);
-  const Eigen::Matrix4d target = Palms::pose(centaur::JointState::Constant(0.4));
-  centaur::JointState next;
+  const torso::JointState q = torso::JointState::Constant(0.3);
+  const Eigen::Matrix4d target = Palms::pose(torso::JointState::Constant(0.4));
+  torso::JointState next;
   {
     const NoAllocation during("inverse kinematics");
     next = inverse_kinematics_step(Palms(), q, target, 1e-6);
