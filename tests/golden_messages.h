@@ -11,6 +11,7 @@
 #include <memory>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,17 @@ inline std::string test_name(const testing::TestParamInfo<std::filesystem::path>
   return name;
 }
 
+// The lines that differ, with some lines around them, as `diff -u` prints them.
+inline std::string difference(const std::string& expected, const std::string& found) {
+  const auto lines = [](const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) result.push_back(line);
+    return result;
+  };
+  return testing::internal::edit_distance::CreateUnifiedDiff(lines(expected), lines(found));
+}
+
 // Compares the messages with those in the file, or writes them.
 inline void expect_messages(const std::string& messages, const std::filesystem::path& file) {
   Golden golden = golden_at(file);
@@ -64,11 +76,16 @@ inline void expect_messages(const std::string& messages, const std::filesystem::
     std::ofstream(file, std::ios::binary) << text_of(golden);
     GTEST_SKIP() << "wrote " << file.string();
   }
-  ASSERT_TRUE(golden.messages) << file.string() << " has no line '==== messages ====' with the expected messages after "
-                               << "it. `--update` writes these:\n"
-                               << messages;
-  EXPECT_EQ(*golden.messages, messages) << file.string() << ": if the new messages are right, call this program with "
-                                        << "`--update` and review the difference";
+  if (!golden.messages) {
+    ADD_FAILURE() << file.string()
+                  << " has no line '==== messages ====' with the expected messages after it. `--update` "
+                  << "writes these:\n"
+                  << messages;
+  } else if (*golden.messages != messages) {
+    ADD_FAILURE() << file.string() << ": the messages differ (-expected, +written):\n"
+                  << difference(*golden.messages, messages)
+                  << "If the new messages are right, call this program with `--update` and review the change.";
+  }
 }
 
 // The first capture group of each match.
