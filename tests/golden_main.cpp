@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "golden_messages.h"
+#include "golden_test.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

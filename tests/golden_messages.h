@@ -1,9 +1,6 @@
 // Messages as a user sees them: a document must produce exactly the messages in its file (none if it is correct).
-// golden.h describes these files. A test program with golden_main.cpp writes the current messages to the files, for
-// review, if it is called with `--update`.
+// golden.h describes these files, golden_test.h how they are updated.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,17 +8,14 @@
 #include <memory>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "golden.h"
+#include "golden_test.h"
 #include "support/source.h"
 
 namespace robcogen::test {
-
-// True if expectations are written instead of compared.
-inline bool update_goldens = false;
 
 inline std::string contents(const std::filesystem::path& path) {
   return bytes_of(path);
@@ -56,36 +50,14 @@ inline std::string test_name(const testing::TestParamInfo<std::filesystem::path>
   return name;
 }
 
-// The lines that differ, with some lines around them, as `diff -u` prints them.
-inline std::string difference(const std::string& expected, const std::string& found) {
-  const auto lines = [](const std::string& text) {
-    std::vector<std::string> result;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) result.push_back(line);
-    return result;
-  };
-  return testing::internal::edit_distance::CreateUnifiedDiff(lines(expected), lines(found));
-}
-
 // Compares the messages with those in the file, or writes them.
 inline void expect_messages(const std::string& messages, const std::filesystem::path& file) {
   Golden golden = golden_at(file);
-  if (update_goldens) {
-    if (golden.messages == messages) return;
+  const std::optional<std::string> expected = golden.messages;
+  expect_golden(file, expected, messages, "has no line '==== messages ====' with the expected messages after it", [&] {
     golden.messages = messages;
     std::ofstream(file, std::ios::binary) << text_of(golden);
-    GTEST_SKIP() << "wrote " << file.string();
-  }
-  if (!golden.messages) {
-    ADD_FAILURE() << file.string()
-                  << " has no line '==== messages ====' with the expected messages after it. `--update` "
-                  << "writes these:\n"
-                  << messages;
-  } else if (*golden.messages != messages) {
-    ADD_FAILURE() << file.string() << ": the messages differ (-expected, +written):\n"
-                  << difference(*golden.messages, messages)
-                  << "If the new messages are right, call this program with `--update` and review the change.";
-  }
+  });
 }
 
 // The first capture group of each match.
