@@ -42,7 +42,7 @@ TEST(Allocation, OfPosesAndConversions) {
     to_mujoco(state, *match.order, qpos, qvel);
     state = from_mujoco<State>(qpos, qvel, *match.order);
     back = difference(integrate(state.pose, state.base_velocity, 0.1), start.pose);
-    back = Twist(difference_derivatives(state.pose, start.pose).by_to * back.vector());
+    back = Twist(difference_derivatives(state.pose, start.pose).d_to * back.vector());
   }
   EXPECT_LT((back + 0.1 * start.base_velocity).vector().norm(), 1e-14);
 }
