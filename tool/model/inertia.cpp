@@ -8,12 +8,12 @@ namespace {
 using Vector = std::array<Quantity, 3>;
 using Matrix = std::array<Vector, 3>;  // rows
 
-Quantity dot_product(const Vector& a, const Vector& b) {
+Quantity dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 Vector operator*(const Matrix& m, const Vector& v) {
-  return {dot_product(m[0], v), dot_product(m[1], v), dot_product(m[2], v)};
+  return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
 Vector scaled(const Quantity& factor, const Vector& v) {
@@ -60,10 +60,10 @@ RigidBodyInertia in_link_frame(const Inertia& inertia) {
   const Quantity two(Number::rational(2));
   const auto moment = [&](std::size_t i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    return dot_product(R[i], rows[i]) + inertia.mass * (two * (t[j] * c[j] + t[k] * c[k]) + t[j] * t[j] + t[k] * t[k]);
+    return dot(R[i], rows[i]) + inertia.mass * (two * (t[j] * c[j] + t[k] * c[k]) + t[j] * t[j] + t[k] * t[k]);
   };
   const auto product = [&](std::size_t i, std::size_t j) {
-    return inertia.mass * (t[i] * c[j] + c[i] * t[j] + t[i] * t[j]) - dot_product(R[i], rows[j]);
+    return inertia.mass * (t[i] * c[j] + c[i] * t[j] + t[i] * t[j]) - dot(R[i], rows[j]);
   };
   body.ixx = moment(0), body.iyy = moment(1), body.izz = moment(2);
   body.ixy = product(0, 1), body.ixz = product(0, 2), body.iyz = product(1, 2);
