@@ -414,7 +414,8 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
     throw Failure{wrong_usage, explain(application, fault)};
   }
   if (completing->parsed() || describing->parsed()) {
-    return [text = describing->parsed() ? manual(application) : completions(application, shell)] {
+    const ProgramDescription program = describe(application);
+    return [text = describing->parsed() ? manual(program) : completions(program, shell)] {
       write_output(text);
       return ok;
     };
