@@ -30,7 +30,7 @@
 #       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
 #                                   # a program chooses when it starts. The baseline is always included. README.md describes
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
-#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile. Not with PYTHON
+#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
 #                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled

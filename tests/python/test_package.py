@@ -63,8 +63,8 @@ class Package(unittest.TestCase):
         def flags(file, expression):
             return re.search(expression, (SOURCES / "cmake" / file).read_text(), re.MULTILINE)[1].split()
 
-        self.assertEqual(robcogen._OF_GCC, flags("Robcogen.cmake", r"^ *set\(of_gcc (.*)\)$"))
-        self.assertEqual(robcogen._ORDER_OF_GCC, flags("RobcogenProcessors.cmake", r" COMPILE_OPTIONS (-fschedule-insns .*)\)$"))
+        self.assertEqual(robcogen._build._OF_GCC, flags("Robcogen.cmake", r"^ *set\(of_gcc (.*)\)$"))
+        self.assertEqual(robcogen._build._ORDER_OF_GCC, flags("RobcogenProcessors.cmake", r" COMPILE_OPTIONS (-fschedule-insns .*)\)$"))
 
     def test_errors(self):
         wrong = self.folder / "wrong.kindsl"
@@ -116,12 +116,14 @@ class Package(unittest.TestCase):
         # An angle that looks like degrees.
         place = re.search(r"rotation\s*=\s*\(([^,]*),", text)
         suspicious.write_text(text[: place.start(1)] + "90.0" + text[place.end(1) :])
-        # The second time, the module comes from the cache.
-        for _ in range(2):
+        # The second time, the module comes from the cache. Each process prints its warnings once.
+        for is_printed in (True, False, True):
             printed = io.StringIO()
             with contextlib.redirect_stderr(printed):
-                robcogen.build(suspicious, algorithms="energy")
-            self.assertRegex(printed.getvalue(), r"suspicious\.kindsl:\d+:\d+: warning: ")
+                robcogen.build(suspicious, algorithms="energy", quiet=True)
+            (self.assertRegex if is_printed else self.assertNotRegex)(printed.getvalue(), r"suspicious\.kindsl:\d+:\d+: warning: ")
+            if not is_printed:
+                robcogen._messages._printed.clear()
         # One string is one option: with it, the warning is an error.
         with self.assertRaisesRegex(robcogen.Error, r"suspicious\.kindsl:\d+:\d+: error: "):
             robcogen.build(suspicious, algorithms="energy", options="--strict")
@@ -144,9 +146,12 @@ class Package(unittest.TestCase):
         names = []
         for _ in range(2):
             run = subprocess.run(
-                [sys.executable, str(PACKAGE / "make_wheel.py"), "1.0.0", str(out)], capture_output=True, text=True, check=True)
+                [sys.executable, str(PACKAGE / "make_wheel.py"), str(out)], capture_output=True, text=True, check=True)
             names.append((run.stdout, Path(run.stdout.strip()).read_bytes()))
         self.assertEqual(names[0], names[1])
+        version = re.search(r"^project\(robcogen VERSION (\S+)", (SOURCES / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+        self.assertEqual(robcogen.__version__, version)
+        self.assertEqual(Path(names[0][0].strip()).name, f"robcogen-{version}-py3-none-any.whl")
         with zipfile.ZipFile(names[0][0].strip()) as wheel:
             self.assertIsNone(wheel.testzip())
             wheel.extractall(out)
