@@ -23,6 +23,16 @@ function(_robcogen_check_python)
       "PYTHON needs the headers of Python 3.11 or newer (Debian: python3-dev); set Python3_EXECUTABLE to a Python that has them")
   endif()
   set_target_properties(Python3::Module PROPERTIES IMPORTED_GLOBAL ON)
+  # A module of such a name would be imported by every program that has its folder in PYTHONPATH.
+  get_property(standard GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES)
+  if(NOT standard)
+    execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(*sorted(sys.stdlib_module_names), sep=';')"
+                    OUTPUT_VARIABLE standard OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    set_property(GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES "${standard}")
+  endif()
+  if(library_NAME IN_LIST standard)
+    _robcogen_refuse("NAME '${library_NAME}' is a module of Python's standard library, which yours would hide: give another NAME")
+  endif()
   set(library_LANGUAGES ${library_LANGUAGES} python PARENT_SCOPE)
 endfunction()
 
@@ -51,6 +61,10 @@ function(_robcogen_add_python)
   endif()
   _robcogen_optimisation(optimisation)
   target_compile_options(${target} PRIVATE ${optimisation})
+  # Functions of the library stay private, also if Python loads modules with RTLD_GLOBAL: another robot may have their names.
+  if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+    target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
+  endif()
   set_target_properties(
     ${target}
     PROPERTIES OUTPUT_NAME ${library_NAME}
