@@ -13,6 +13,12 @@ import numpy as np
 from common import arm, leg, scopes, walker
 
 
+# A trunk and a leg.
+INERTIAL = '<inertial><mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>'
+HOPPER = f"""<robot name="hopper"><link name="trunk">{INERTIAL}</link><link name="leg">{INERTIAL}</link>
+<joint name="hip" type="continuous"><parent link="trunk"/><child link="leg"/><axis xyz="0 1 0"/></joint></robot>"""
+
+
 class Documents(unittest.TestCase):
     def test_signatures(self):
         self.assertRegex(str(inspect.signature(leg.Parameters)), r"^\(\*, \w+=[-\d.]+, .*upperleg_length=0.35")
@@ -66,6 +72,10 @@ class Documents(unittest.TestCase):
         self.assertGreater(len(blocks), 0)
         names = {"hyl_kindsl": os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots", "hyl", "hyl.kindsl")}
         sys.path.insert(0, os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "python"))
+        names["hopper_urdf"] = os.path.join(tempfile.mkdtemp(), "hopper.urdf")
+        self.addCleanup(shutil.rmtree, os.path.dirname(names["hopper_urdf"]))
+        with open(names["hopper_urdf"], "w", encoding="utf-8") as file:
+            file.write(HOPPER)
         cache = tempfile.TemporaryDirectory()
         self.addCleanup(cache.cleanup)
         os.environ["ROBCOGEN_CACHE"] = cache.name
@@ -73,6 +83,8 @@ class Documents(unittest.TestCase):
             exec(compile(block, "README.md", "exec"), names)
         self.assertEqual(names["tau"].shape, (7,))
         self.assertAlmostEqual(names["forces"][0], 7.501 * 9.81)
+        # The base falls for 10 ms, by h^2 g (1 + … + 10).
+        np.testing.assert_allclose(names["pose"], [1, 0, 0, 0, 0, 0, 0.6 - 55e-6 * 9.81], atol=1e-12)
 
 
 if __name__ == "__main__":

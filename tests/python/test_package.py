@@ -159,6 +159,10 @@ class Package(unittest.TestCase):
             [sys.executable, "-m", "robcogen", str(SOURCES / "robots" / "hyl" / "hyl.kindsl"), "--algorithms", "inverse_dynamics",
              "-o", str(out)], cwd=out, capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": str(out)})
         self.assertEqual(run.stdout, f"{out}/hyl.abi3.so\n", run.stderr)
+        for name, what in (("copy", "a module of Python's standard library, which yours would hide"), ("class", "a keyword of Python")):
+            refused = subprocess.run(
+                [sys.executable, "-m", "robcogen", "hyl.kindsl", "--name", name], cwd=out, capture_output=True, text=True, check=False)
+            self.assertEqual((refused.stderr, refused.returncode), (f"'{name}' is {what}: name the module with --name\n", 1))
         run = subprocess.run(
             [sys.executable, "-c", "import hyl; print(hyl.joint_names)"], cwd=out, capture_output=True, text=True, check=False)
         self.assertEqual(run.stdout, "('SLIDE', 'HFE', 'KFE')\n", run.stderr)

@@ -5,7 +5,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from . import Error, build
+from . import Error, _build, build
 
 
 def main():
@@ -24,17 +24,16 @@ def main():
         "  python3 -m robcogen arm.urdf -o modules --algorithms inverse_dynamics jacobians")
     given, others = parser.parse_known_args()
     try:
+        name = given.name or _build.name_of(Path(given.model))
+        if keyword.iskeyword(name) or name in sys.stdlib_module_names:
+            what = "a keyword of Python" if keyword.iskeyword(name) else "a module of Python's standard library, which yours would hide"
+            raise Error(f"'{name}' is {what}: name the module with --name")
         module = build(
             given.model, name=given.name, desired=given.desired, algorithms=given.algorithms, derivatives=given.derivatives,
             options=others, quiet=given.quiet)
     except Error as error:
         print(error, file=sys.stderr)
         return 1
-    name = module.name.split(".")[0]
-    if keyword.iskeyword(name) or name in sys.stdlib_module_names:
-        what = "a keyword of Python" if keyword.iskeyword(name) else "a module of Python's standard library, which this one would hide"
-        print(f"robcogen: error: '{name}' is {what}: name the module with --name", file=sys.stderr)
-        return 2
     folder = Path(given.output)
     folder.mkdir(parents=True, exist_ok=True)
     for file in module.parent.iterdir():

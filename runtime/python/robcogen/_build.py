@@ -35,7 +35,7 @@ def build(model, name, desired, options, quiet):
     model = Path(model).absolute()
     if not model.is_file():
         raise Error(f"{model}: no such file")
-    name = name or _name_of(model)
+    name = name or name_of(model)
     if desired is None and model.with_suffix(".dtdsl").is_file():
         desired = model.with_suffix(".dtdsl")
     # Results for arrays in single precision are computed in double: half as much to compile.
@@ -179,7 +179,7 @@ def cache():
     return Path(folder).absolute()
 
 
-def _name_of(model):
+def name_of(model):
     """The name of a model's module if none is given."""
     name = re.sub(r"\W", "_", model.name.split(".")[0], flags=re.ASCII)
     if not name.isidentifier():
