@@ -18,14 +18,9 @@ function(_robcogen_check_python)
     _robcogen_refuse("NAME '${library_NAME}' is a Python keyword, which cannot name a module: give another NAME")
   endif()
   find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
-  if(NOT TARGET Python3::Module)
-    _robcogen_refuse(
-      "PYTHON needs the headers of Python 3.11 or newer (Debian: python3-dev); set Python3_EXECUTABLE to a Python that has them")
-  endif()
-  set_target_properties(Python3::Module PROPERTIES IMPORTED_GLOBAL ON)
   # A module of such a name would be imported by every program that has its folder in PYTHONPATH.
   get_property(standard GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES)
-  if(NOT standard)
+  if(NOT standard AND Python3_EXECUTABLE)
     execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(*sorted(sys.stdlib_module_names), sep=';')"
                     OUTPUT_VARIABLE standard OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     set_property(GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES "${standard}")
@@ -33,6 +28,11 @@ function(_robcogen_check_python)
   if(library_NAME IN_LIST standard)
     _robcogen_refuse("NAME '${library_NAME}' is a module of Python's standard library, which yours would hide: give another NAME")
   endif()
+  if(NOT TARGET Python3::Module)
+    _robcogen_refuse(
+      "PYTHON needs the headers of Python 3.11 or newer (Debian: python3-dev); set Python3_EXECUTABLE to a Python that has them")
+  endif()
+  set_target_properties(Python3::Module PROPERTIES IMPORTED_GLOBAL ON)
   set(library_LANGUAGES ${library_LANGUAGES} python PARENT_SCOPE)
 endfunction()
 

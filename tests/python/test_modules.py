@@ -139,6 +139,16 @@ class Modules(unittest.TestCase):
         run = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
         self.assertRegex(run.stderr, r"_robcogen\.robot_\w+ is not in the cache .*/other: load its model with robcogen.load")
 
+    def test_options(self):
+        """The generator takes all options; nothing is compiled."""
+        model = self.model("a/robot.urdf")
+        with self.assertRaisesRegex(robcogen.Error, "nowhere"):
+            robcogen.load(
+                model, contacts=["nowhere", "lever:surface"], floating_base=True, snap_angles=True, passive_forces=True,
+                free_mimic_joints=True, allow_implausible=True, strict=True, effort=0, import_folders=self.folder, quiet=True)
+        with self.assertRaisesRegex(TypeError, "floatingbase"):
+            robcogen.load(model, floatingbase=True)
+
     def test_progress_and_notes(self):
         model = self.model("c/robot.urdf", 3.0)
         model.write_text(model.read_text().replace('<limit lower="-3" upper="3" effort="10" velocity="5"/>', ""))

@@ -1,8 +1,10 @@
 """What Python users expect of functions, results and parameters: named tuples, text, pickles, copies."""
 import copy
 import functools
+import importlib.util
 import multiprocessing
 import pickle
+import sys
 import unittest
 
 import numpy as np
@@ -37,6 +39,20 @@ class Objects(unittest.TestCase):
             self.assertEqual(other, p)
             np.testing.assert_array_equal(leg.gravity_forces(other, q), leg.gravity_forces(p, q))
         self.assertEqual((copy.copy(p), copy.deepcopy(p)), (p, p))
+
+    def test_one_library_twice(self):
+        """The same file under another name: nothing is shared, neither types nor functions."""
+        spec = importlib.util.spec_from_file_location("another.leg", leg.__file__)
+        other = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(other)
+        self.assertNotIn("another.leg", sys.modules)
+        self.assertIs(sys.modules["leg"], leg)
+        self.assertIsNot(other.Parameters, leg.Parameters)
+        q = RANDOM.uniform(-1, 1, 3)
+        with self.assertRaisesRegex(TypeError, "gravity_forces: parameters must be Parameters of the module, not those of another module"):
+            leg.gravity_forces(other.Parameters(), q)
+        np.testing.assert_array_equal(other.gravity_forces(other.Parameters(), q), leg.gravity_forces(leg.Parameters(), q))
+        self.assertEqual(other.Parameters.__module__, "another.leg")
 
     def test_processes(self):
         p, states = leg.Parameters(), RANDOM.uniform(-1, 1, (6, 3))

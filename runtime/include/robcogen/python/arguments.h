@@ -63,14 +63,12 @@ inline bool refuse(const Entry& entry, const std::string& what, PyObject* type =
 inline bool check_parameters(const Entry& entry, PyObject* object, bool is_named) {
   PyTypeObject* const type = Py_TYPE(object);
   if (reinterpret_cast<PyObject*>(type) == entry.module->parameters) return true;
-  std::string given = "a " + type_name(object);
-  if (given == "a Parameters") given = "those of another module";
-  const bool is_missing = !is_named && given != "those of another module";
-  return refuse(
-      entry,
-      is_missing ? "parameters is missing: the first argument must be Parameters of the module, is " + given
-                 : "parameters must be Parameters of the module, is " + given,
-      PyExc_TypeError);
+  const std::string given = type_name(object);
+  const std::string wanted = "must be Parameters of the module, ";
+  if (given == "Parameters")
+    return refuse(entry, "parameters " + wanted + "not those of another module", PyExc_TypeError);
+  const std::string start = is_named ? "parameters " : "parameters is missing: the first argument ";
+  return refuse(entry, start + wanted + "is a " + given, PyExc_TypeError);
 }
 
 // Writes the arguments to `given` in the order of the function's arguments, then `out`; null if not given. Returns
