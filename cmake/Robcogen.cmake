@@ -409,6 +409,8 @@ function(_robcogen_add_library target)
   _robcogen_add_headers(${target} ${library_OUTPUT_DIR} ${headers})
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # With it, programs that use two models of one name do not link.
+  target_compile_definitions(${target} INTERFACE ROBCOGEN_REFERS_TO_MODEL)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
   # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other disabled
   # passes take a quarter of gcc's time without effect: straight-line code has no jumps, no values that depend on

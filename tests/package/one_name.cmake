@@ -7,7 +7,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(work_dir ${WORK_DIR}/one_name)
 file(REMOVE_RECURSE ${work_dir})
-set(compile ${CXX_COMPILER} -std=c++17 -O0 -I ${SOURCE_DIR}/runtime/include -isystem ${EIGEN_DIR} -c)
+set(compile ${CXX_COMPILER} -std=c++17 -O0 -DROBCOGEN_REFERS_TO_MODEL -I ${SOURCE_DIR}/runtime/include -isystem ${EIGEN_DIR} -c)
 
 # add_library(LIBRARY MASS option…): a lever of this mass, whose sources say how much it weighs.
 function(add_library_of library mass)

@@ -17,7 +17,7 @@ std::string name_of_only_one(const Names& names) {
 
 std::string identity_reference(const Names& names) {
   return comment("A program with two models of this name does not link: give one of them another NAME or NAMESPACE.") +
-         "#ifdef __GNUC__\n#ifdef __cplusplus\nextern \"C\" {\n#endif\nextern const char " +
+         "#ifdef " + kRefersToModel + "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\nextern const char " +
          name_of_model(names) + ";\n__attribute__((used)) static const char *const " + names.prefix +
          "_c__model_of_functions = &" + name_of_model(names) + ";\n#ifdef __cplusplus\n}\n#endif\n#endif\n";
 }

@@ -16,6 +16,9 @@ std::string identity(const Library& library);
 // The group in whose source file the names are defined.
 std::string group_of_identity(const Library& library);
 
+// The macro with which headers contain the reference. The CMake functions define it for all who link a library.
+inline constexpr const char* kRefersToModel = "ROBCOGEN_REFERS_TO_MODEL";
+
 // The name that exists once, after that of the library.
 inline constexpr const char* kOnlyOne = "two_models_have_the_same_NAME_and_NAMESPACE";
 

@@ -14,11 +14,12 @@ std::string space_of(const Api& api) {
 
 std::string identity_reference(const Api& api, const std::string& header) {
   const std::string name = "model_" + identity(*api.library);
-  return in_namespace(
+  const std::string reference = in_namespace(
       space_of(api),
       comment("A program with two models of this name does not link: give one of them another NAME or NAMESPACE.") +
           "extern const char " + name + ";\n[[gnu::used]] static const char* const of_" + header + " = &" + name +
           ";\n");
+  return std::string("#ifdef ") + kRefersToModel + "\n\n" + reference + "\n#endif  // " + kRefersToModel + "\n";
 }
 
 std::string identity_definition(const Api& api, const std::string& group) {

@@ -13,6 +13,8 @@
 #include "pendulum/model.h"
 #include "pendulum/types.h"
 
+#ifdef ROBCOGEN_REFERS_TO_MODEL
+
 namespace pendulum::identity {
 
 // A program with two models of this name does not link: give one of them another NAME or NAMESPACE.
@@ -20,6 +22,8 @@ extern const char model_b7c1a939de8c5edc;
 [[gnu::used]] static const char* const of_functions = &model_b7c1a939de8c5edc;
 
 }  // namespace pendulum::identity
+
+#endif  // ROBCOGEN_REFERS_TO_MODEL
 
 namespace pendulum {
 
