@@ -140,6 +140,22 @@ class Package(unittest.TestCase):
         run = subprocess.run(
             [sys.executable, "-m", "robcogen", str(self.model)], capture_output=True, text=True, check=False, env=environment)
         self.assertEqual((run.stderr, run.returncode), ("the tool of this prefix\n", 1))
+        # What pip does with this folder: a wheel that remembers the generator, or a path to the folder.
+        for name in ("_robcogen", "make_wheel.py", "pyproject.toml"):
+            (shutil.copytree if name[0] == "_" else shutil.copy)(PACKAGE / name, prefix / "share" / "robcogen" / "python" / name)
+        shutil.copytree(PACKAGE.parent / "include", prefix / "include")
+        (prefix / "out").mkdir()
+        program = "import make_wheel; print(make_wheel.build_wheel('out')); print(make_wheel.build_editable('out/editable'))"
+        run = subprocess.run([sys.executable, "-c", program], cwd=prefix, capture_output=True, text=True, check=True, env=environment)
+        for folder, wheel in zip(("out", "out/editable"), run.stdout.split()):
+            with zipfile.ZipFile(prefix / folder / wheel) as archive:
+                files = {name: archive.read(name).decode() for name in archive.namelist()}
+            if folder == "out":
+                self.assertIn(repr(str(tool)), files["robcogen/_installation.py"])
+                for name in ("robcogen/py.typed", "_robcogen/__init__.py", "robcogen/include/robcogen/python/make_module.h"):
+                    self.assertIn(name, files)
+            else:
+                self.assertEqual(files["robcogen.pth"], str(prefix / "share" / "robcogen" / "python") + "\n")
 
     def test_the_wheel_and_the_command(self):
         out = self.folder / "wheel"

@@ -67,13 +67,16 @@ def _generate(tool, model, name, arguments, call, quiet):
         key = f"{name}_{hash_of(hash_of_files(code, [f for f in code.rglob('*') if f.is_file()]), *_environment())}"
         module = cache() / key / f"{name}.abi3.so"
         if not module.is_file():
-            _compile(code, folder, name, progress)
+            try:
+                _compile(code, folder, name, progress)
+            finally:
+                progress.close()
             try:
                 os.replace(folder / "module", cache() / key)
             except OSError:  # another process was faster
                 if not module.is_file():
                     raise
-            progress.end("ready")
+            progress.end()
         files = [Path(f.replace("\\ ", " ")) for f in re.split(r"(?<!\\)\s+", depfile.read_text().replace("\\\n", " ").split(":", 1)[1].strip())]
         record = {"module": str(module), "messages": messages, "files": {str(f): hash_of(f.read_bytes()) for f in files if f.is_file()}}
         (folder / "record").write_text(json.dumps(record))
@@ -151,7 +154,7 @@ def _processor_flags():
         flags = set(re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)[1].split())
     except (OSError, TypeError):
         return []
-    return ["-mavx2", "-mfma", "-fno-math-errno"] if {"avx2", "fma"} <= flags else ["-fno-math-errno"]
+    return ["-mavx2", "-mfma", "-fno-math-errno"] if {"avx2", "fma"} <= flags else []
 
 
 @functools.cache

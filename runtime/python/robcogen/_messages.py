@@ -44,10 +44,12 @@ class Progress:
         if self.bar is not None:
             self.bar.update()
 
-    def end(self, what):
+    def close(self):
         if self.bar is not None:
             self.bar.close()
-        self.say(f"{what} after {time.monotonic() - self.start:.1f} s")
+
+    def end(self):
+        self.say(f"ready after {time.monotonic() - self.start:.1f} s")
 
     def say(self, text):
         if not self.quiet:
