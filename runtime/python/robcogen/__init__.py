@@ -5,17 +5,26 @@ It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the sam
 compiler (CXX, which may have arguments, or c++, g++, clang++) and the headers of Python. Progress, and warnings and notes
 of the generator, go to stderr. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
 """
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, Union
+
 from . import _build, _modules
 from ._tools import Error
 from ._version import __version__
 
 __all__ = ["Error", "build", "load", "__version__"]
 
+_File = Union[str, "os.PathLike[str]"]
+_Words = Union[str, Iterable[str]]
+
 
 def load(
-        model, *, name=None, desired=None, algorithms=(), derivatives=(), contacts=(), floating_base=False, snap_angles=False,
-        passive_forces=False, free_mimic_joints=False, allow_implausible=False, strict=False, effort=None, import_folders=(),
-        options=(), quiet=False):
+        model: _File, *, name: str | None = None, desired: _File | None = None, algorithms: _Words = (), derivatives: _Words = (),
+        contacts: _Words = (), floating_base: bool = False, snap_angles: bool = False, passive_forces: bool = False,
+        free_mimic_joints: bool = False, allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
+        import_folders: _File | Iterable[_File] = (), options: _Words = (), quiet: bool = False) -> Any:
     """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl).
 
     The arguments are those of build(). Loading the same model with the same options again returns the same module. Its
@@ -29,9 +38,10 @@ def load(
 
 
 def build(
-        model, *, name=None, desired=None, algorithms=(), derivatives=(), contacts=(), floating_base=False, snap_angles=False,
-        passive_forces=False, free_mimic_joints=False, allow_implausible=False, strict=False, effort=None, import_folders=(),
-        options=(), quiet=False):
+        model: _File, *, name: str | None = None, desired: _File | None = None, algorithms: _Words = (), derivatives: _Words = (),
+        contacts: _Words = (), floating_base: bool = False, snap_angles: bool = False, passive_forces: bool = False,
+        free_mimic_joints: bool = False, allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
+        import_folders: _File | Iterable[_File] = (), options: _Words = (), quiet: bool = False) -> Path:
     """Builds a module and returns its path; its stub, <name>.pyi, is in the same folder.
 
     name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
@@ -58,5 +68,5 @@ def build(
     if effort is not None:
         arguments += ["--effort", str(effort)]
     for folder in _build.elements(import_folders):
-        arguments += ["-I", str(_build.Path(folder).absolute())]
+        arguments += ["-I", str(Path(folder).absolute())]
     return _build.build(model, name, desired, arguments + _build.elements(options), quiet)
