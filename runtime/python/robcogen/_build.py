@@ -77,8 +77,10 @@ def _generate(tool, model, name, arguments, call, quiet):
                 if not module.is_file():
                     raise
             progress.end()
-        files = [Path(f.replace("\\ ", " ")) for f in re.split(r"(?<!\\)\s+", depfile.read_text().replace("\\\n", " ").split(":", 1)[1].strip())]
-        record = {"module": str(module), "messages": messages, "files": {str(f): hash_of(f.read_bytes()) for f in files if f.is_file()}}
+        read = re.split(r"(?<!\\)\s+", depfile.read_text().replace("\\\n", " ").split(":", 1)[1].strip())
+        files = [Path(f.replace("\\ ", " ")) for f in read]
+        hashes = {str(f): hash_of(f.read_bytes()) for f in files if f.is_file()}
+        record = {"module": str(module), "messages": messages, "files": hashes}
         (folder / "record").write_text(json.dumps(record))
         os.replace(folder / "record", call)
     return module
