@@ -11,11 +11,15 @@ foreach(document IN LISTS documents)
   install(FILES ${document} DESTINATION share/robcogen/${folder})
 endforeach()
 
+# The Python package, and what pip needs to install it from there.
 install(
-  DIRECTORY runtime/python/robcogen
+  DIRECTORY runtime/python/robcogen runtime/python/_robcogen
   DESTINATION share/robcogen/python
   FILES_MATCHING
-  PATTERN "*.py")
+  PATTERN "*.py"
+  PATTERN "py.typed")
+install(FILES runtime/python/make_wheel.py runtime/python/pyproject.toml DESTINATION share/robcogen/python)
+include(cmake/InstallPython.cmake)
 
 install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
 install(EXPORT robcogenTargets NAMESPACE robcogen:: DESTINATION ${package_dir})

@@ -32,7 +32,7 @@
 #       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
 #                                   # a program chooses when it starts. The baseline is always included. README.md describes
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
-#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile. Not with PYTHON
+#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
 #                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled
@@ -415,6 +415,8 @@ function(_robcogen_add_library target)
   _robcogen_add_headers(${target} ${library_OUTPUT_DIR} ${headers})
   target_link_libraries(${target} PUBLIC robcogen::runtime)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  # With it, programs that use two models of one name do not link.
+  target_compile_definitions(${target} INTERFACE ROBCOGEN_REFERS_TO_MODEL)
   # gcc packs neighbouring scalars of the straight-line kernels into vectors, and loses more in shuffles than it gains; the
   # generator packs where it is profitable. Renaming registers saves copies: one instruction in forty. The other disabled
   # passes take a quarter of gcc's time without effect: straight-line code has no jumps, no values that depend on

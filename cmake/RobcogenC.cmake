@@ -69,6 +69,8 @@ function(_robcogen_add_c_library)
   add_dependencies(${target} ${library_TARGET}_codegen)
   _robcogen_add_headers(${target} ${library_OUTPUT_DIR}/c ${c_headers})
   target_compile_features(${target} PUBLIC c_std_99)
+  # With it, programs that use two models of one name do not link.
+  target_compile_definitions(${target} INTERFACE ROBCOGEN_REFERS_TO_MODEL)
   if(UNIX)
     target_link_libraries(${target} PUBLIC m)
   endif()

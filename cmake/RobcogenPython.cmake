@@ -12,15 +12,22 @@ function(_robcogen_check_python)
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_refuse("PYTHON needs the library in C++: LANGUAGES must include cpp")
   endif()
-  if(library_DOUBLE_ONLY)
-    _robcogen_refuse("PYTHON and DOUBLE_ONLY exclude each other: Python modules also take arrays in single precision")
-  endif()
   set(words False None True and as assert async await break class continue def del elif else except finally for from global if
             import in is lambda nonlocal not or pass raise return try while with yield)
   if(library_NAME IN_LIST words)
     _robcogen_refuse("NAME '${library_NAME}' is a Python keyword, which cannot name a module: give another NAME")
   endif()
   find_package(Python3 3.11 QUIET COMPONENTS Interpreter Development.Module)
+  # A module of such a name would be imported by every program that has its folder in PYTHONPATH.
+  get_property(standard GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES)
+  if(NOT standard AND Python3_EXECUTABLE)
+    execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(*sorted(sys.stdlib_module_names), sep=';')"
+                    OUTPUT_VARIABLE standard OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    set_property(GLOBAL PROPERTY ROBCOGEN_PYTHON_STANDARD_MODULES "${standard}")
+  endif()
+  if(library_NAME IN_LIST standard)
+    _robcogen_refuse("NAME '${library_NAME}' is a module of Python's standard library, which yours would hide: give another NAME")
+  endif()
   if(NOT TARGET Python3::Module)
     _robcogen_refuse(
       "PYTHON needs the headers of Python 3.11 or newer (Debian: python3-dev); set Python3_EXECUTABLE to a Python that has them")
@@ -54,6 +61,10 @@ function(_robcogen_add_python)
   endif()
   _robcogen_optimisation(optimisation)
   target_compile_options(${target} PRIVATE ${optimisation})
+  # Functions of the library stay private, also if Python loads modules with RTLD_GLOBAL: another robot may have their names.
+  if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+    target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
+  endif()
   set_target_properties(
     ${target}
     PROPERTIES OUTPUT_NAME ${library_NAME}

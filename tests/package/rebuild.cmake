@@ -87,7 +87,8 @@ expect_build("nothing changed")
 expect_build("nothing changed, third build")
 
 edit(hyl.kindsl "mass = 3.982" "mass = 4.982")
-expect_build("edited mass" generate inverse_dynamics.cpp)
+# parameters.cpp has the hash of the model.
+expect_build("edited mass" generate inverse_dynamics.cpp parameters.cpp)
 expect_build("nothing changed after an edit")
 
 edit(hyl.dtdsl "base = fr_base, target = fr_foot" "base = fr_base, target = fr_foot base = fr_base, target = fr_lowerleg")

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from common import arm, leg
+from common import arm, ball_leg, leg, walker
 
 Z = np.zeros(7)
 Z2 = np.zeros((4, 7))
@@ -35,15 +35,14 @@ class Errors(unittest.TestCase):
         wrong = "must be numbers, an array of float64 or float32 or a sequence"
         for value in ("1234567", b"1234567", {"a": 1}, object(), ["a"] * 7, np.zeros(7, complex), np.array(["a"] * 7)):
             self.refuse(ValueError, f"inverse_dynamics: qd {wrong}", Z, value, Z)
-        self.refuse(
-            TypeError, "gravity_forces: parameters must be of the type Parameters of the module", [1, 2], np.zeros(3),
-            function=leg.gravity_forces)
 
     def test_calls(self):
         self.refuse(TypeError, "inverse_dynamics: qdd is missing", Z, Z)
         self.refuse(TypeError, "inverse_dynamics: q is missing", None, Z, Z)
         self.refuse(TypeError, "inverse_dynamics: takes at most 5 arguments, got 6", Z, Z, Z, None, None, Z)
-        self.refuse(TypeError, "inverse_dynamics: unknown argument 'speed'", Z, Z, Z, speed=1)
+        self.refuse(
+            TypeError, "inverse_dynamics: unknown argument 'speed'; the arguments are q, qd, qdd, gravity, external, out", Z, Z, Z,
+            speed=1)
         self.refuse(TypeError, "inverse_dynamics: q is given twice", Z, Z, Z, q=Z)
 
     def test_out(self):
@@ -72,13 +71,49 @@ class Errors(unittest.TestCase):
             function=leg.joint_space_inertia_factor, out=L)
 
     def test_parameters(self):
-        self.refuse(TypeError, "Parameters takes keyword arguments only", 1.0, function=leg.Parameters)
         self.refuse(
-            TypeError, "Parameters: unknown name; parameter_names lists the names", mass=1.0, function=leg.Parameters)
-        with self.assertRaises(TypeError):
-            leg.Parameters(upperleg_length="long")
+            TypeError, "Parameters takes keyword arguments only, such as Parameters(lowerleg_com_z=1.0)".replace(
+                "lowerleg_com_z", leg.parameter_names[0]), 1.0, function=leg.Parameters)
+        names = ", ".join(leg.parameter_names)
+        self.refuse(
+            TypeError, f"Parameters has no 'payload'; its names are {names}", payload=1.0, function=leg.Parameters)
+        self.refuse(TypeError, "Parameters: upperleg_length must be a number, is a str", upperleg_length="long", function=leg.Parameters)
+        p = leg.Parameters()
+        with self.assertRaises(AttributeError) as caught:
+            p.payload
+        self.assertEqual(str(caught.exception), f"Parameters has no 'payload'; its names are {names}")
         with self.assertRaises(AttributeError):
-            leg.Parameters().upperleg_length = 1.0
+            p.upperleg_length = 1.0
+        q, start = np.zeros(3), "inverse_dynamics: parameters "
+        missing = start + "is missing: the first argument must be Parameters of the module, is a "
+        self.refuse(TypeError, missing + "ndarray", q, q, q, function=leg.inverse_dynamics)
+        self.refuse(TypeError, missing + "list", [1, 2], q, q, q, function=leg.inverse_dynamics)
+        self.refuse(TypeError, start + "is missing", q=q, qd=q, qdd=q, function=leg.inverse_dynamics)
+        wrong = start + "must be Parameters of the module, is "
+        self.refuse(TypeError, wrong + "a dict", parameters={}, q=q, qd=q, qdd=q, function=leg.inverse_dynamics)
+
+    def test_quaternions(self):
+        """Positions in another order, or zeros, are not a pose, whose first four numbers are a unit quaternion."""
+        start = "gravity_in_base: base_pose[0:4] must be a unit quaternion w, x, y, z, followed by the position: its norm "
+        end = "; base_pose_from_mujoco and base_pose_from_ros take other orders"
+        of_mujoco = [1, 2, 0.5, 0.6, 0.8, 0, 0]
+        self.refuse(ValueError, start + "is 2.36854" + end, of_mujoco, function=walker.gravity_in_base)
+        self.refuse(ValueError, start + "is 0" + end, np.zeros(7, np.float32), function=walker.gravity_in_base)
+        good = walker.base_pose_from_mujoco(of_mujoco)
+        self.refuse(ValueError, start + "in state 1 is 2.36854" + end, [good, of_mujoco], function=walker.gravity_in_base)
+        self.assertTrue(np.isnan(walker.gravity_in_base([good, good * np.nan])[1]).all())
+        walker.gravity_in_base(np.round(walker.base_pose_from_mujoco([0, 0, 0, 0.5001, 0.5, 0.4999, 0.5]), 4))
+        self.refuse(
+            ValueError, "base_pose_from_ros: orientation[0:4] must be a unit quaternion x, y, z, w: its norm is 0", np.zeros(3),
+            np.zeros(4), function=walker.base_pose_from_ros)
+        q = np.zeros(9)
+        q[[0, 5]] = 1
+        rest = np.zeros(7)
+        ball_leg.inverse_dynamics(q, rest, rest)
+        q[5] = 1.01
+        self.refuse(
+            ValueError, "inverse_dynamics: q[5:9] must be a unit quaternion w, x, y, z: its norm is 1.01", q, rest, rest,
+            function=ball_leg.inverse_dynamics)
 
     def test_without_numpy(self):
         code = ("import sys; sys.modules['numpy'] = None; import arm; t = arm.inverse_dynamics([0.1] * 7, [0] * 7, [0] * 7);"

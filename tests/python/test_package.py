@@ -63,8 +63,8 @@ class Package(unittest.TestCase):
         def flags(file, expression):
             return re.search(expression, (SOURCES / "cmake" / file).read_text(), re.MULTILINE)[1].split()
 
-        self.assertEqual(robcogen._OF_GCC, flags("Robcogen.cmake", r"^ *set\(of_gcc (.*)\)$"))
-        self.assertEqual(robcogen._ORDER_OF_GCC, flags("RobcogenProcessors.cmake", r" COMPILE_OPTIONS (-fschedule-insns .*)\)$"))
+        self.assertEqual(robcogen._build._OF_GCC, flags("Robcogen.cmake", r"^ *set\(of_gcc (.*)\)$"))
+        self.assertEqual(robcogen._build._ORDER_OF_GCC, flags("RobcogenProcessors.cmake", r" COMPILE_OPTIONS (-fschedule-insns .*)\)$"))
 
     def test_errors(self):
         wrong = self.folder / "wrong.kindsl"
@@ -116,12 +116,14 @@ class Package(unittest.TestCase):
         # An angle that looks like degrees.
         place = re.search(r"rotation\s*=\s*\(([^,]*),", text)
         suspicious.write_text(text[: place.start(1)] + "90.0" + text[place.end(1) :])
-        # The second time, the module comes from the cache.
-        for _ in range(2):
+        # The second time, the module comes from the cache. Each process prints its warnings once.
+        for is_printed in (True, False, True):
             printed = io.StringIO()
             with contextlib.redirect_stderr(printed):
-                robcogen.build(suspicious, algorithms="energy")
-            self.assertRegex(printed.getvalue(), r"suspicious\.kindsl:\d+:\d+: warning: ")
+                robcogen.build(suspicious, algorithms="energy", quiet=True)
+            (self.assertRegex if is_printed else self.assertNotRegex)(printed.getvalue(), r"suspicious\.kindsl:\d+:\d+: warning: ")
+            if not is_printed:
+                robcogen._messages._printed.clear()
         # One string is one option: with it, the warning is an error.
         with self.assertRaisesRegex(robcogen.Error, r"suspicious\.kindsl:\d+:\d+: error: "):
             robcogen.build(suspicious, algorithms="energy", options="--strict")
@@ -138,15 +140,34 @@ class Package(unittest.TestCase):
         run = subprocess.run(
             [sys.executable, "-m", "robcogen", str(self.model)], capture_output=True, text=True, check=False, env=environment)
         self.assertEqual((run.stderr, run.returncode), ("the tool of this prefix\n", 1))
+        # What pip does with this folder: a wheel that remembers the generator, or a path to the folder.
+        for name in ("_robcogen", "make_wheel.py", "pyproject.toml"):
+            (shutil.copytree if name[0] == "_" else shutil.copy)(PACKAGE / name, prefix / "share" / "robcogen" / "python" / name)
+        shutil.copytree(PACKAGE.parent / "include", prefix / "include")
+        (prefix / "out").mkdir()
+        program = "import make_wheel; print(make_wheel.build_wheel('out')); print(make_wheel.build_editable('out/editable'))"
+        run = subprocess.run([sys.executable, "-c", program], cwd=prefix, capture_output=True, text=True, check=True, env=environment)
+        for folder, wheel in zip(("out", "out/editable"), run.stdout.split()):
+            with zipfile.ZipFile(prefix / folder / wheel) as archive:
+                files = {name: archive.read(name).decode() for name in archive.namelist()}
+            if folder == "out":
+                self.assertIn(repr(str(tool)), files["robcogen/_installation.py"])
+                for name in ("robcogen/py.typed", "_robcogen/__init__.py", "robcogen/include/robcogen/python/make_module.h"):
+                    self.assertIn(name, files)
+            else:
+                self.assertEqual(files["robcogen.pth"], str(prefix / "share" / "robcogen" / "python") + "\n")
 
     def test_the_wheel_and_the_command(self):
         out = self.folder / "wheel"
         names = []
         for _ in range(2):
             run = subprocess.run(
-                [sys.executable, str(PACKAGE / "make_wheel.py"), "1.0.0", str(out)], capture_output=True, text=True, check=True)
+                [sys.executable, str(PACKAGE / "make_wheel.py"), str(out)], capture_output=True, text=True, check=True)
             names.append((run.stdout, Path(run.stdout.strip()).read_bytes()))
         self.assertEqual(names[0], names[1])
+        version = re.search(r"^project\(robcogen VERSION (\S+)", (SOURCES / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+        self.assertEqual(robcogen.__version__, version)
+        self.assertEqual(Path(names[0][0].strip()).name, f"robcogen-{version}-py3-none-any.whl")
         with zipfile.ZipFile(names[0][0].strip()) as wheel:
             self.assertIsNone(wheel.testzip())
             wheel.extractall(out)
@@ -154,6 +175,10 @@ class Package(unittest.TestCase):
             [sys.executable, "-m", "robcogen", str(SOURCES / "robots" / "hyl" / "hyl.kindsl"), "--algorithms", "inverse_dynamics",
              "-o", str(out)], cwd=out, capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": str(out)})
         self.assertEqual(run.stdout, f"{out}/hyl.abi3.so\n", run.stderr)
+        for name, what in (("copy", "a module of Python's standard library, which yours would hide"), ("class", "a keyword of Python")):
+            refused = subprocess.run(
+                [sys.executable, "-m", "robcogen", "hyl.kindsl", "--name", name], cwd=out, capture_output=True, text=True, check=False)
+            self.assertEqual((refused.stderr, refused.returncode), (f"'{name}' is {what}: name the module with --name\n", 1))
         run = subprocess.run(
             [sys.executable, "-c", "import hyl; print(hyl.joint_names)"], cwd=out, capture_output=True, text=True, check=False)
         self.assertEqual(run.stdout, "('SLIDE', 'HFE', 'KFE')\n", run.stderr)

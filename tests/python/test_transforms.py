@@ -36,8 +36,17 @@ class Transforms(unittest.TestCase):
         d = crane.transforms.homogeneous.post_X_hook_d_variables(parameters=[1.2], variables=v)
         for k in range(3):
             moved = [by_hand(*(v + sign * step * np.eye(3)[k]), 1.2) for sign in (1, -1)]
-            expected = ((moved[0] - moved[1]) / (2 * step)).ravel(order="F")
-            np.testing.assert_allclose(d[-1][:, k], expected, atol=1e-9)
+            np.testing.assert_allclose(d.d_variables[:, :, k], (moved[0] - moved[1]) / (2 * step), atol=1e-9)
+        # Many states, in the order of NumPy and in that of the library, and in single precision.
+        many = crane.transforms.homogeneous.post_X_hook_d_variables([[1.2]] * 3, [v, v, v])
+        self.assertEqual(many.d_variables.shape, (3, 4, 4, 3))
+        out = np.zeros((3, 4, 4)), np.zeros((3, 3, 4, 4)).transpose(0, 3, 2, 1)
+        crane.transforms.homogeneous.post_X_hook_d_variables([1.2], [v, v, v], out=out)
+        for k in range(3):
+            np.testing.assert_array_equal(many.d_variables[k], d.d_variables)
+            np.testing.assert_array_equal(out[1][k], d.d_variables)
+        single = crane.transforms.homogeneous.post_X_hook_d_variables(np.float32([1.2]), v.astype(np.float32))
+        np.testing.assert_allclose(single.d_variables, d.d_variables, atol=1e-5)
 
     def test_the_model(self):
         self.assertEqual(set(crane.frame_names), {"post", "hook"})

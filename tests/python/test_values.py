@@ -8,6 +8,11 @@ import numpy as np
 from common import RANDOM, arm, ball_leg, evaluate, five_bar, leg, random_values, scopes, walker
 
 
+# They are Python's own.
+OF_POSES = ("base_pose_from_mujoco", "base_pose_to_mujoco", "base_pose_from_ros", "base_pose_to_ros", "gravity_in_base", "integrate",
+            "difference")
+
+
 def shapes(function):
     """Arguments and results with their shapes, as the documentation lists them."""
     arguments, results = {}, {}
@@ -44,9 +49,11 @@ class Values(unittest.TestCase):
         if len(results) == 1:
             got, in_float = (got,), (in_float,)
         else:
-            self.assertEqual(set(expected), {f for f in dir(got) if f in results}, name)
+            self.assertEqual((set(expected), list(got._fields)), (set(results), list(results)), name)
         for i, (key, shape) in enumerate(results.items()):
             wanted = np.asarray(expected[key])
+            if len(shape) == 3:  # rows of the derivative of a matrix are its elements, column by column
+                wanted = wanted.reshape(shape[1], shape[0], shape[2]).transpose(1, 0, 2)
             scale = 1e-9 * (1 + np.abs(wanted).max(initial=0))
             self.assertEqual(np.shape(got[i]), shape, name)
             np.testing.assert_allclose(np.asarray(got[i]).reshape(-1), wanted.reshape(-1), rtol=0, atol=scale, err_msg=name)
@@ -59,7 +66,7 @@ class Values(unittest.TestCase):
         count = 0
         for module in (arm, leg, walker, ball_leg, five_bar):
             for name, function in scopes(module):
-                if name.startswith("inertia_factor"):
+                if name.startswith("inertia_factor") or name in OF_POSES:
                     continue
                 derived = {"inverse_dynamics_d_q": "inverse_dynamics:q", "contact_jacobian_d_q": "contact_jacobian:q"}
                 options = ["--derivatives", derived[name]] if name in derived else []

@@ -243,9 +243,6 @@ Status generate(GenerateOptions options) {
     options.names.name = name_after(file);
   }
   check_names(options.names);
-  if (options.is_double_only && contains(options.languages, "python"))
-    throw Failure{
-        wrong_usage, "robcogen: error: --double-only excludes --language python: Python modules take both precisions"};
   require_languages(options);
   if (options.list_outputs) return list_outputs(options);
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};

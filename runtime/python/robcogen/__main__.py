@@ -1,10 +1,11 @@
 """python3 -m robcogen hyl.kindsl: builds the module of a robot, in this folder or in another."""
 import argparse
+import keyword
 import shutil
 import sys
 from pathlib import Path
 
-from . import Error, build
+from . import Error, _build, build
 
 
 def main():
@@ -15,6 +16,7 @@ def main():
     parser.add_argument("-o", "--output", default=".", help="folder of the module and its stub; default: this one")
     parser.add_argument("--name", help="name of the module; default: that of the file")
     parser.add_argument("--desired", help="list of transforms (.dtdsl)")
+    parser.add_argument("--quiet", action="store_true", help="no progress and no notes")
     parser.add_argument("--algorithms", nargs="+", default=(), help="groups of functions, or all")
     parser.add_argument("--derivatives", nargs="+", default=(), help="functions to differentiate: function:input…")
     parser.epilog = (
@@ -22,9 +24,13 @@ def main():
         "  python3 -m robcogen arm.urdf -o modules --algorithms inverse_dynamics jacobians")
     given, others = parser.parse_known_args()
     try:
+        name = given.name or _build.name_of(Path(given.model))
+        if keyword.iskeyword(name) or name in sys.stdlib_module_names:
+            what = "a keyword of Python" if keyword.iskeyword(name) else "a module of Python's standard library, which yours would hide"
+            raise Error(f"'{name}' is {what}: name the module with --name")
         module = build(
             given.model, name=given.name, desired=given.desired, algorithms=given.algorithms, derivatives=given.derivatives,
-            options=others)
+            options=others, quiet=given.quiet)
     except Error as error:
         print(error, file=sys.stderr)
         return 1

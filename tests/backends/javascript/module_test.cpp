@@ -99,6 +99,23 @@ said(() => hyl.gravity_forces(Array(12).fill(0)));
                                          "numbers, is undefined"});
 }
 
+TEST_F(JavaScriptModule, RefusesQuaternionsOfAnotherLength) {
+  const std::vector<std::string> lines = run_beside(robot("ball_leg"), R"(
+const rest = [0, 0, 0, 0];
+for (const q of [[1, 0, 0, 0], [0.7071, 0.7071, 0, 0], [NaN, 0, 0, 0], [1, 0.2, 0, 0], rest])
+  try {
+    console.log(hyl.gravity_forces([1, 0, 0, 0, 0, ...q]).length);
+  } catch (fault) {
+    console.log(fault instanceof RangeError ? fault.message : String(fault.stack));
+  }
+)");
+  const std::string refused = "gravity_forces: q: elements 5 to 8 must be a unit quaternion w, x, y, z, have norm ";
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[0] + lines[1] + lines[2], "777");
+  EXPECT_EQ(lines[3].rfind(refused + "1.0198", 0), 0U) << lines[3];
+  EXPECT_EQ(lines[4], refused + "0");
+}
+
 TEST_F(JavaScriptModule, HasConstantsOfTheRobot) {
   const std::vector<std::string> lines = run_beside(robot("scara"), R"(
 const { name, dof, joints, coupled_joints, links, frames } = hyl.model;

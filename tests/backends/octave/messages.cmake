@@ -11,7 +11,7 @@ if(NOT OCTAVE)
 endif()
 
 set(octave ${OCTAVE} --no-gui --norc --no-history)
-foreach(text hyl quadruped hyl_parametric.right motions.right names)
+foreach(text hyl quadruped hyl_parametric.right motions.right names ball_leg)
   list(APPEND octave --path ${TEXTS}/${text}.text/matlab)
 endforeach()
 list(APPEND octave --path ${CMAKE_CURRENT_LIST_DIR} --eval messages)

@@ -13,6 +13,16 @@ function messages()
   expect(@() hyl_parametric.gravity_forces(), 'hyl_parametric.gravity_forces: missing parameters, q');
   expect(@() hyl.forward_dynamics(z, z, z), '');
 
+  % a quaternion of another length; NaN is not refused, nor are numbers with four digits
+  q = [1; 0; 0; 0; 0; 1; 0; 0; 0];
+  expect(@() ball_leg.gravity_forces(q), '');
+  expect(@() ball_leg.gravity_forces([0.7071; 0.7071; 0; 0; q(5:9)]), '');
+  expect(@() ball_leg.gravity_forces([NaN; q(2:9)]), '');
+  expect(@() ball_leg.gravity_forces(1.01 * q), ...
+    'ball_leg.gravity_forces: q(1:4) must be a unit quaternion w, x, y, z, has norm 1.01');
+  expect(@() ball_leg.gravity_forces([q(1:5); zeros(4, 1)]), ...
+    'ball_leg.gravity_forces: q(6:9) must be a unit quaternion w, x, y, z, has norm 0');
+
   % another shape
   expect(@() hyl.inverse_dynamics([1, 2, 3], z, z), 'hyl.inverse_dynamics: q must be 3 x 1, is 1 x 3');
   expect(@() hyl.inverse_dynamics(z, z, w), 'hyl.inverse_dynamics: qdd must be 3 x 1, is 12 x 1');

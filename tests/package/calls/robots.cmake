@@ -30,10 +30,6 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)
 # robcogen_add_robot(TARGET hyl): DESIRED does not exist: @DIR@/list-NOTFOUND
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DESIRED list-NOTFOUND)
 
-#### double_only_module
-# robcogen_add_robot(TARGET hyl): PYTHON and DOUBLE_ONLY exclude each other: Python modules also take arrays in single precision
-robcogen_add_robot(TARGET hyl MODEL hyl.kindsl PYTHON DOUBLE_ONLY)
-
 #### flag_with_value
 # robcogen_add_robot(TARGET hyl): unknown argument 'OFF'; the keywords are TARGET MODEL DESIRED NAME
 robcogen_add_robot(TARGET hyl MODEL hyl.urdf FLOATING_BASE OFF)
@@ -142,6 +138,10 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES matlab PYTHON)
 #### python_word
 # robcogen_add_robot(TARGET hyl): NAME 'lambda' is a Python keyword, which cannot name a module: give another NAME
 robcogen_add_robot(TARGET hyl NAME lambda MODEL hyl.kindsl PYTHON)
+
+#### name_of_standard_module
+# robcogen_add_robot(TARGET hyl): NAME 'copy' is a module of Python's standard library, which yours would hide: give another NAME
+robcogen_add_robot(TARGET hyl NAME copy MODEL hyl.kindsl PYTHON)
 
 #### samples_negative
 # robcogen_add_robot(TARGET hyl): TEST_SAMPLES must be a whole number, not '-5'

@@ -67,13 +67,15 @@ TEST(DoubleOnly, KernelsAreTheSame) {
   }
 }
 
-TEST(DoubleOnly, ModulesOfPythonTakeBothPrecisions) {
+TEST(DoubleOnly, ModulesOfPythonComputeInDouble) {
   const Scratch scratch("double-only-python");
   const Outcome run = run_tool(
-      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --language cpp python --double-only");
-  EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(
-      run.errors, "robcogen: error: --double-only excludes --language python: Python modules take both precisions\n");
+      "generate " + quoted(robot("hyl_parametric")) + " -o " + quoted(scratch.path) +
+      " --language cpp python --double-only --name it");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const std::string text = read_text(scratch.path / "python" / "it.cpp");
+  EXPECT_NE(text.find("&one_inverse_dynamics<double>, nullptr"), std::string::npos);
+  EXPECT_EQ(text.find("float"), std::string::npos);
 }
 
 }  // namespace

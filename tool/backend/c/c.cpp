@@ -20,7 +20,9 @@ std::vector<File> files(const std::string& prefix, const std::vector<std::string
   const std::string folder = prefix + "_c", path = folder + "/";
   std::string includes = "#include \"" + path + "model.h\"\n";
   for (const std::string& group : groups) includes += "#include \"" + path + group + ".h\"\n";
-  const auto umbrella = [=](const Names& n) { return header(n, folder + ".h", "all functions", includes); };
+  const auto umbrella = [=](const Names& n) {
+    return header(n, folder + ".h", "all functions", includes + "\n" + identity_reference(n));
+  };
   std::vector<File> list = {
       {path + folder + ".h", umbrella}, {path + "model.h", print_model_header}, {path + "model.c", print_model}};
   for (const std::string& group : groups) {

@@ -156,7 +156,8 @@ std::string print_functions(const Names& names, const std::string& group, const 
   std::set<std::string> printed;
   for (const Callable& c : names.callables)
     if (c.function->group == group) text += "\n" + print_function(names, c, precision, printed);
-  return has_update(names, group) ? text + "\n" + print_update(names, precision) : text;
+  if (has_update(names, group)) text += "\n" + print_update(names, precision);
+  return precision.is_float ? text : text + identity_definition(names, group);
 }
 
 }  // namespace robcogen::backend::c

@@ -60,6 +60,10 @@ Names names(const Library& library);
 // A header: its guard around `body`.
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body);
 
+// The reference of the header to the library's model, and its definition in the source of a group, if that has it.
+std::string identity_reference(const Names& names);
+std::string identity_definition(const Names& names, const std::string& group);
+
 std::string print_model_header(const Names& names);
 std::string print_model(const Names& names);
 std::string print_header(const Names& names, const std::string& group);

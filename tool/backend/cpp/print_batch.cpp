@@ -209,7 +209,7 @@ std::string print_batch(const Api& api, const std::string& path) {
            "// affects another. To share the work between threads, give each thread a range of the states.\n"
            "//\n"
            "// `most` is the highest processor level to use; a level that the machine lacks is never used.\n",
-       "#pragma once\n", includes({"<cstddef>"}), includes(headers),
+       "#pragma once\n", includes({"<cstddef>"}), includes(headers), identity_reference(api, "batches"),
        in_namespace(
            api.space, paragraphs(
                           {batch_kernel_declarations(api), interface(api, false),

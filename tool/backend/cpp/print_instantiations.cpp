@@ -42,10 +42,11 @@ std::string print_kernel_declarations(const Api& api, const std::string& path) {
 }
 
 std::string print_instantiations(const Api& api, const std::string& group, const std::string& path) {
-  if (chooses_level(api, group)) return print_choice(api, group, path);
+  if (chooses_level(api, group)) return paragraphs({print_choice(api, group, path), identity_definition(api, group)});
   return paragraphs(
       {banner(*api.library, path, "kernels compiled for " + api.scalars_in_words()),
-       includes({"\"" + kernel_path(folder(*api.library), group) + "\""}), instantiations(api, group)});
+       includes({"\"" + kernel_path(folder(*api.library), group) + "\""}), instantiations(api, group),
+       identity_definition(api, group)});
 }
 
 }  // namespace robcogen::backend::cpp

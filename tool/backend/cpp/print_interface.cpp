@@ -330,7 +330,7 @@ std::string print_umbrella(const Api& api, const std::string& path) {
   return paragraphs(
       {banner(library, path, library.has_robot() ? "its functions" : "its coordinate transforms") + "//\n" +
            conventions(api),
-       "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers),
+       "#pragma once\n", tables ? includes({"<array>"}) : "", includes(headers), identity_reference(api, "functions"),
        in_namespace(api.space, paragraphs(groups)),
        comment(single ? "The definitions in each precision." : "The definitions.") +
            includes({cpp::quoted(kernels_path(folder(library)))}),

@@ -75,6 +75,11 @@ std::string print_batch_level(
     const std::string& path);
 // Their declarations within the robot's namespace, for the table in <name>/reflection.h.
 std::string batch_kernel_declarations(const Api& api);
+
+// The reference of a header to the library's model, and its definition in the source of a group, if that has it.
+std::string identity_reference(const Api& api, const std::string& header);
+std::string identity_definition(const Api& api, const std::string& group);
+
 std::string print_umbrella(const Api& api, const std::string& path);
 std::string print_definitions(const Api& api, const std::string& path);
 

@@ -36,6 +36,17 @@ constexpr const char* kChecks =
 #include "backend/javascript/checks.inc"
     ;
 
+// Printed where a function has quaternions. The tolerance admits numbers that were printed with four digits.
+constexpr const char* kQuaternionCheck = R"js(
+// The unit quaternion that begins at element k.
+function $quaternion(name, value, k) {
+  const norm = Math.hypot(value[k], value[k + 1], value[k + 2], value[k + 3]);
+  if (Math.abs(norm - 1) > 1e-4)
+    throw new RangeError(
+        `${name}: elements ${k} to ${k + 3} must be a unit quaternion w, x, y, z, have norm ${norm}`);
+}
+)js";
+
 constexpr const char* kParameterChecks =
 #include "backend/javascript/parameter_checks.inc"
     ;
@@ -56,7 +67,9 @@ std::string check(const std::string& function, const InputArray& input, const Pa
     return "  " + name + " = $vectors(" + head + std::to_string(input.elements.size() / 6) + ", 6);\n";
   if (input.role == Role::inertia_factor)
     return "  " + name + " = $columns(" + head + std::to_string(side(input)) + ");\n";
-  return "  $vector(" + head + std::to_string(input.elements.size()) + ");\n";
+  std::string text = "  $vector(" + head + std::to_string(input.elements.size()) + ");\n";
+  for (const int first : input.quaternions) text += "  $quaternion(" + head + std::to_string(first) + ");\n";
+  return text;
 }
 
 std::string parameter_line(const Library& library, const InputArray& input, const Parameter& p, bool is_required) {
@@ -271,6 +284,11 @@ std::string print_parameters(const Library& library) {
          wrapped("  return {", initial, " };") + "}\n" + kParameterChecks;
 }
 
+bool has_quaternions(const Function& f) {
+  const std::vector<InputArray>& inputs = f.program.inputs;
+  return std::any_of(inputs.begin(), inputs.end(), [](const InputArray& input) { return !input.quaternions.empty(); });
+}
+
 }  // namespace
 
 std::vector<OutputFile> print(const Library& library) {
@@ -289,6 +307,7 @@ std::vector<OutputFile> print(const Library& library) {
        "). Edit the model, not this file."},
       "// ");
   text += kChecks;
+  if (std::any_of(library.functions.begin(), library.functions.end(), has_quaternions)) text += kQuaternionCheck;
   if (library.has_robot())
     text += "\nconst $gravity = [0, 0, -9.81];\nconst $noWrenches = Array(" + std::to_string(library.links.size()) +
             ").fill([0, 0, 0, 0, 0, 0]);\n" + print_model(library);

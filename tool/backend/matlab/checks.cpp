@@ -17,6 +17,7 @@ struct Argument {
   int rows = 1;
   int columns = 1;
   Role role = Role::variables;
+  std::vector<int> quaternions = {};  // the elements that begin unit quaternions
 };
 
 // The variables of a document are separate arguments.
@@ -24,7 +25,7 @@ std::vector<Argument> arguments(const std::vector<InputArray>& inputs, const Ker
   std::vector<Argument> result;
   for (std::size_t i = 0; i < count; ++i) {
     const Parameter& parameter = kernel.parameters[i];
-    Argument a{parameter.name, static_cast<int>(inputs[i].elements.size()), 1, inputs[i].role};
+    Argument a{parameter.name, static_cast<int>(inputs[i].elements.size()), 1, inputs[i].role, inputs[i].quaternions};
     if (a.role == Role::variables) {
       for (const std::string& element : parameter.elements) result.push_back({element});
       continue;
@@ -87,6 +88,18 @@ std::string wrong_shape(const std::string& function, const Argument& a) {
       {"size(" + a.name + ", 1)", "size(" + a.name + ", 2)"});
 }
 
+// Refuses quaternions of another length, which would make results wrong. The tolerance admits numbers that were printed
+// with four digits.
+std::string wrong_length(const std::string& function, const Argument& a) {
+  std::string text;
+  for (const int first : a.quaternions) {
+    const std::string q = a.name + "(" + std::to_string(first + 1) + ":" + std::to_string(first + 4) + ")";
+    text += "  if abs(norm(" + q + ") - 1) > 1e-4\n" +
+            error(function, q + " must be a unit quaternion w, x, y, z, has norm %g", {"norm(" + q + ")"}) + "  end\n";
+  }
+  return text;
+}
+
 std::string default_value(const Argument& a) {
   if (a.role == Role::gravity) return "[0; 0; -9.81]";
   return "zeros(" + std::to_string(a.rows) + ", " + std::to_string(a.columns) + ")";
@@ -111,6 +124,7 @@ std::string print_checks(
     } else if (!refused.empty()) {
       text += "  if " + refused + "\n" + wrong_shape(name, a) + "  end\n";
     }
+    text += wrong_length(name, a);
   }
   return text;
 }

@@ -18,7 +18,10 @@ using symbolic::Role;
 
 Array argument(const cpp::Api& api, const InputArray& input, const std::string& name) {
   const auto size = static_cast<int>(input.elements.size());
-  Array a{name, 1, size, 1, false, input.role == Role::parameters && api.is_parametric()};
+  Array a{name, 1, size};
+  a.is_parameters = input.role == Role::parameters && api.is_parametric();
+  a.quaternions = input.quaternions;
+  a.meaning = meaning(input.role);
   // Without a robot, parameters and variables are arrays of the elements that the function reads.
   if (!api.library->has_robot()) a.elements = input.elements;
   if (input.role == Role::link_wrenches) {
@@ -26,6 +29,7 @@ Array argument(const cpp::Api& api, const InputArray& input, const std::string& 
     a.rows = size / 6;
     a.columns = 6;
     a.is_by_rows = true;
+    a.meaning = "external wrench on each link (N m, N) about its origin in its coordinates, moment first, base first";
   } else if (input.role == Role::inertia_factor) {
     a.rank = 2;
     a.rows = a.columns = static_cast<int>(std::lround(std::sqrt(size)));
@@ -33,13 +37,26 @@ Array argument(const cpp::Api& api, const InputArray& input, const std::string& 
   return a;
 }
 
-Array result_of(const OutputArray& output, const std::string& name) {
-  Array a{name, 1, output.rows, output.columns, false, false};
+bool is_matrix_result(const OutputArray& output) {
+  return cpp::type_of(output) != "Scalar" && (symbolic::is_matrix(output.role) || output.columns > 1);
+}
+
+Array result_of(const backend::Function& function, std::size_t place, const std::string& name) {
+  const std::vector<OutputArray>& outputs = function.program.outputs;
+  const OutputArray& output = outputs[place];
+  Array a{name, 1, output.rows, output.columns};
+  a.meaning = meaning(output.role);
   if (cpp::type_of(output) == "Scalar") {
     a.rank = 0;
-  } else if (symbolic::is_matrix(output.role) || output.columns > 1) {
+  } else if (is_matrix_result(output)) {
     a.rank = 2;
     a.is_by_rows = output.role == Role::inertia_matrix;  // symmetric
+  }
+  // The derivative of a matrix has a dimension more.
+  for (const symbolic::DerivativeBlock& d : function.derivatives) {
+    const OutputArray& of = outputs[at(d.of)];
+    if (at(d.place) != place || !is_matrix_result(of) || of.rows * of.columns != output.rows) continue;
+    a = {name, 3, of.rows, of.columns, output.columns};
   }
   return a;
 }
@@ -47,7 +64,8 @@ Array result_of(const OutputArray& output, const std::string& name) {
 std::string shape(const Array& a) {
   if (a.rank == 0) return "()";
   if (a.rank == 1) return "(" + std::to_string(a.rows) + ",)";
-  return "(" + std::to_string(a.rows) + ", " + std::to_string(a.columns) + ")";
+  return "(" + std::to_string(a.rows) + ", " + std::to_string(a.columns) +
+         (a.rank == 3 ? ", " + std::to_string(a.pages) : "") + ")";
 }
 
 std::string signature(const Function& f, bool is_stub) {
@@ -91,7 +109,7 @@ std::string text_in_quotes(const Function& f, const std::string& margin) {
 }
 
 std::string class_name(const Function& f) {
-  std::string name = "_" + f.scope + (f.scope.empty() ? "" : "_") + f.name + "_result";
+  std::string name = f.scope + (f.scope.empty() ? "" : "_") + f.name + "_result";
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
 }
@@ -145,40 +163,48 @@ std::vector<Function> functions(const cpp::Api& api) {
   std::map<std::pair<std::string, std::string>, std::size_t> known;
   for (const cpp::Callable& c : api.callables) {
     const auto [place, is_new] = known.insert({{c.function->scope, c.name}, result.size()});
-    if (is_new) result.push_back({dotted(c.function->scope), c.name, {}, {}, {}, 0});
+    if (is_new) result.push_back({dotted(c.function->scope), c.name, {}});
     result[place->second].overloads.push_back(&c);
   }
   for (Function& f : result) {
     std::stable_sort(f.overloads.begin(), f.overloads.end(), [](const cpp::Callable* a, const cpp::Callable* b) {
       return a->function->program.inputs.size() < b->function->program.inputs.size();
     });
-    const symbolic::Program& program = f.longest().program;
+    const backend::Function& longest = *f.overloads.back()->function;
+    const symbolic::Program& program = longest.program;
     const std::vector<Parameter>& names = f.overloads.back()->parameters;
     for (std::size_t i = 0; i < program.inputs.size(); ++i)
       f.arguments.push_back(argument(api, program.inputs[i], names[i].name));
     for (std::size_t i = 0; i < program.outputs.size(); ++i)
-      f.results.push_back(result_of(program.outputs[i], names[program.inputs.size() + i].name));
+      f.results.push_back(result_of(longest, i, names[program.inputs.size() + i].name));
     const std::vector<InputArray>& fewest = f.overloads.front()->function->program.inputs;
     const bool may_omit = !api.library->floating_base && !fewest.empty() && fewest.back().role == Role::gravity;
     f.required = static_cast<int>(fewest.size()) - (may_omit ? 1 : 0);
+    f.summary = longest.summary;
+    f.remark = remark_on_positions(program);
   }
+  for (Function& f : pose_functions(api)) result.push_back(std::move(f));
   return result;
 }
 
 std::vector<std::string> documentation_of(const Function& f) {
   std::vector<std::string> lines = {f.name + signature(f, false), "--", ""};
-  const backend::Function& function = f.longest();
-  lines.insert(lines.end(), function.summary.begin(), function.summary.end());
+  lines.insert(lines.end(), f.summary.begin(), f.summary.end());
   lines.emplace_back();
+  const auto describe = [&](const Array& a, const std::string& line) {
+    lines.push_back(line);
+    if (!a.meaning.empty()) lines.push_back("    " + a.meaning);
+    if (!a.elements.empty()) lines.push_back("    " + joined(a.elements));
+  };
   for (std::size_t i = 0; i < f.arguments.size(); ++i) {
     const Array& a = f.arguments[i];
-    lines.push_back(a.name + ": " + (a.is_parameters ? "Parameters" : shape(a)));
-    if (i >= at(f.required))
-      lines.back() += function.program.inputs[i].role == Role::gravity ? "; default (0, 0, -9.81)" : "; default zero";
-    if (!a.elements.empty()) lines.push_back("    " + joined(a.elements));
+    const std::string defaults = i < at(f.required)    ? ""
+                                 : a.name == "gravity" ? "; default (0, 0, -9.81)"
+                                                       : "; default zero";
+    describe(a, a.name + ": " + (a.is_parameters ? "Parameters" : shape(a)) + defaults);
   }
-  for (const Array& a : f.results) lines.push_back("returns " + a.name + ": " + shape(a));
-  if (const std::string remark = remark_on_positions(function.program); !remark.empty()) lines.push_back(remark);
+  for (const Array& a : f.results) describe(a, "returns " + a.name + ": " + shape(a));
+  if (!f.remark.empty()) lines.push_back(f.remark);
   lines.emplace_back("For many states, arrays have one more dimension in front.");
   return lines;
 }

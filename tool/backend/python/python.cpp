@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "backend/common/layout.h"
 #include "backend/cpp/api.h"
@@ -27,17 +28,46 @@ std::string flag(bool value) {
   return value ? "true" : "false";
 }
 
-// `{"q", 1, 3, 1, false, false}`
-std::string table(const Array& a) {
-  return braced(
-      {quoted(a.name), std::to_string(a.rank), std::to_string(a.rows), std::to_string(a.columns), flag(a.is_by_rows),
-       flag(a.is_parameters)});
+// The constant arrays of the tables, each printed once.
+class Constants {
+ public:
+  // Returns the name of an array with these items, `{}` if there are none.
+  std::string array(const std::string& type, const std::string& what, const std::vector<std::string>& items) {
+    if (items.empty()) return "{}";
+    const std::string text = "[] = " + braced(items) + ";\n";
+    const auto [place, is_new] = names_.insert({type + text, ""});
+    if (is_new) {
+      place->second = "k" + what + std::to_string(++counts_[what]);
+      text_ += "const " + type + " " + place->second + text;
+    }
+    return place->second;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::map<std::string, std::string> names_;
+  std::map<std::string, int> counts_;
+};
+
+// The type of the runtime with this name.
+std::string type(const std::string& name) {
+  return "robcogen::python::" + name;
 }
 
-std::string list(const std::vector<Array>& arrays) {
+// `{"q", 1, 3, 1, false, false, 1, {}}`
+std::string table(const Array& a, Constants& constants) {
+  std::vector<std::string> quaternions;
+  for (const int first : a.quaternions) quaternions.push_back(std::to_string(first));
+  return braced(
+      {quoted(a.name), std::to_string(a.rank), std::to_string(a.rows), std::to_string(a.columns), flag(a.is_by_rows),
+       flag(a.is_parameters), std::to_string(a.pages), constants.array("int", "Quaternions", quaternions)});
+}
+
+std::string list(const std::vector<Array>& arrays, Constants& constants) {
   std::vector<std::string> items;
-  for (const Array& a : arrays) items.push_back(table(a));
-  return braced(items);
+  for (const Array& a : arrays) items.push_back(table(a, constants));
+  return constants.array(type("Argument"), "Arrays", items);
 }
 
 // Whether the first argument is what the library computes from the parameters.
@@ -84,7 +114,7 @@ std::string print_calls(const cpp::Api& api, const cpp::Callable& c) {
          cpp::call(api.space + "::batch::kernel::" + c.kernel + "<S>", many, 2) + "}\n";
 }
 
-std::string print_table(const Library& library, const Function& f) {
+std::string print_table(const Library& library, const Function& f, Constants& constants) {
   std::string documentation = "    ";
   for (const std::string& line : documentation_of(f)) documentation += quoted(line) + "\n    ";
   for (std::size_t at = documentation.find("\"\n"); at != std::string::npos; at = documentation.find("\"\n", at + 3))
@@ -92,101 +122,137 @@ std::string print_table(const Library& library, const Function& f) {
   documentation.erase(documentation.find_last_not_of(" \n") + 1);
   std::vector<std::string> variants;
   for (const cpp::Callable* c : f.overloads) {
-    const auto name = [&](const char* start, const char* type) { return "&" + (start + c->kernel) + "<" + type + ">"; };
-    const bool many = library.has_batches;
+    const auto name = [&](bool is_there, const char* start, const char* type) {
+      return is_there ? "&" + (start + c->kernel) + "<" + type + ">" : "nullptr";
+    };
+    const bool single = library.has_single_precision, many = library.has_batches;
     variants.push_back(braced(
-        {std::to_string(c->function->program.inputs.size()), name("one_", "double"), name("one_", "float"),
-         many ? name("many_", "double") : "nullptr", many ? name("many_", "float") : "nullptr"}));
+        {std::to_string(c->function->program.inputs.size()), name(true, "one_", "double"),
+         name(single, "one_", "float"), name(many, "many_", "double"), name(many && single, "many_", "float")}));
   }
+  if (variants.empty())
+    variants.push_back(braced(
+        {std::to_string(f.arguments.size()), "&" + f.call + "<double>", "&" + f.call + "<float>", "nullptr",
+         "nullptr"}));
   return "    {" + quoted(f.scope) + ",\n     " + quoted(f.name) + ",\n" + documentation + ",\n     " +
-         list(f.arguments) + ",\n     " + std::to_string(f.required) + ",\n     " + list(f.results) + ",\n     " +
-         braced(variants) + "},\n";
+         list(f.arguments, constants) + ",\n     " + std::to_string(f.required) + ",\n     " +
+         list(f.results, constants) + ",\n     " + constants.array(type("Variant"), "Variants", variants) + "},\n";
 }
 
-std::string print_parameters(const cpp::Api& api) {
+std::string print_parameters(const cpp::Api& api, Constants& constants) {
   if (!api.is_parametric()) return "{}";
   std::vector<std::string> names, defaults;
   for (const ParameterData& p : api.library->parameters) {
     names.push_back(quoted(p.name));
     defaults.push_back(number(p.default_value));
   }
-  return "{" + braced(names) + ", " + braced(defaults) + ", &make, &destroy, &in_double, &in_float}";
+  return braced(
+      {constants.array("char* const", "Names", names), constants.array("double", "Numbers", defaults), "&make",
+       "&destroy", "&in_double", api.library->has_single_precision ? "&in_float" : "nullptr"});
 }
 
+// The values that depend on the parameters, in each precision that the library has.
 std::string print_caches(const cpp::Api& api) {
   if (!api.is_parametric()) return "";
   const std::string type = api.space + "::Parameters", array = api.space + "::ParameterArray";
-  return "struct Caches {\n  " + type + "<double> in_double;\n  " + type + "<float> in_float;\n};\n\n" +
-         "void* make(const double* values) {\n  " + array + " array;\n" +
-         "  for (std::size_t i = 0; i < array.size(); ++i) array[i] = values[i];\n" + "  return new Caches{" + type +
-         "<double>(array), " + type + "<float>(array)};\n}\n" +
-         "void destroy(void* caches) {\n  delete static_cast<Caches*>(caches);\n}\n" +
-         "const double* in_double(const void* caches) {\n  return static_cast<const "
-         "Caches*>(caches)->in_double.data();\n}\n" +
-         "const float* in_float(const void* caches) {\n  return static_cast<const "
-         "Caches*>(caches)->in_float.data();\n}\n";
+  std::string members, values, readers;
+  for (const std::string& scalar : api.scalars()) {
+    members += "  " + type + "<" + scalar + "> in_" + scalar + ";\n";
+    values += (values.empty() ? "" : ", ") + type + "<" + scalar + ">(array)";
+    readers += "const " + scalar + "* in_" + scalar +
+               "(const void* caches) {\n  return static_cast<const Caches*>(caches)->in_" + scalar + ".data();\n}\n";
+  }
+  return "struct Caches {\n" + members + "};\n\n" + "void* make(const double* values) {\n  " + array + " array;\n" +
+         "  for (std::size_t i = 0; i < array.size(); ++i) array[i] = values[i];\n" + "  return new Caches{" + values +
+         "};\n}\n" + "void destroy(void* caches) {\n  delete static_cast<Caches*>(caches);\n}\n" + readers;
 }
 
 template <class List, class F>
-std::string column(const List& list, F text) {
+std::vector<std::string> each(const List& list, F text) {
   std::vector<std::string> items;
   for (const auto& item : list) items.push_back(text(item));
-  return "    " + braced(items);
+  return items;
 }
 
-std::string print_source(const cpp::Api& api, const std::vector<Function>& functions) {
-  const Library& library = *api.library;
-  const std::string folder = cpp::folder(library);
-  std::string declarations, calls, rows;
-  for (const Function& f : functions) {
-    for (const cpp::Callable* c : f.overloads) {
-      if (library.has_batches) declarations += print_declaration(*c);
-      calls += print_calls(api, *c) + "\n";
-    }
-    rows += print_table(library, f);
-  }
-  const auto name = [](const auto& item) { return quoted(item.name); };
-  const auto limit = [](double JointLimits::*member) {
-    return [member](const JointData& joint) { return number(joint.limits.*member); };
+std::string print_limb(const LimbData& l, Constants& constants) {
+  const auto elements = [&](const std::vector<LimbData::Element>& list) {
+    const auto text = [](const LimbData::Element& e) { return braced({quoted(e.own), std::to_string(e.index)}); };
+    return constants.array(type("LimbElement"), "Elements", each(list, text));
   };
-  const auto limb = [](const LimbData& l) {
-    const auto elements = [](const std::vector<LimbData::Element>& list) {
-      std::vector<std::string> items;
-      for (const LimbData::Element& e : list) items.push_back(braced({quoted(e.own), std::to_string(e.index)}));
-      return braced(items);
-    };
-    return braced(
-        {quoted(l.name), quoted(l.part), std::to_string(l.first_link), elements(l.links), elements(l.joints),
-         elements(l.frames)});
+  return braced(
+      {quoted(l.name), quoted(l.part), std::to_string(l.first_link), elements(l.links), elements(l.joints),
+       elements(l.frames)});
+}
+
+// The table of the whole module, after the arrays that it refers to.
+std::string print_module(const cpp::Api& api, const std::vector<Function>& functions) {
+  const Library& library = *api.library;
+  Constants constants;
+  std::string rows;
+  for (const Function& f : functions) rows += print_table(library, f, constants);
+  const auto names = [&](const std::vector<std::string>& list) {
+    return constants.array("char* const", "Names", each(list, cpp::quoted));
+  };
+  const auto name = [](const auto& item) { return item.name; };
+  const auto limits = [&](double JointLimits::*member) {
+    const auto text = [member](const JointData& joint) { return number(joint.limits.*member); };
+    return constants.array("double", "Numbers", each(library.joints, text));
   };
   const auto parent = [&](const LinkData& link) {
     if (link.parent_joint < 0) return std::string("-1");
     return std::to_string(library.all_joints()[static_cast<std::size_t>(link.parent_joint)].parent);
   };
+  const auto limb = [&](const LimbData& l) { return print_limb(l, constants); };
   const std::vector<std::string> fields = {
       "    " + quoted(library.name),
       "    " + quoted(
                    library.has_robot() ? "Kinematics and dynamics of the robot " + library.robot + "."
                                        : "Coordinate transforms of the model " + library.robot + "."),
-      "    {\n" + rows + "    }",
-      "    " + print_parameters(api),
-      column(library.joints, name),
-      column(library.position_names(), cpp::quoted),
-      column(library.links, name),
-      column(library.frames, name),
-      column(library.links, parent),
-      column(library.joints, limit(&JointLimits::lower)),
-      column(library.joints, limit(&JointLimits::upper)),
-      column(library.joints, limit(&JointLimits::velocity)),
-      column(library.joints, limit(&JointLimits::effort)),
-      column(library.limbs, limb)};
+      rows.empty() ? "    {}" : "    kFunctions",
+      "    " + print_parameters(api, constants),
+      "    " + names(each(library.joints, name)),
+      "    " + names(library.position_names()),
+      "    " + names(each(library.links, name)),
+      "    " + names(each(library.frames, name)),
+      "    " + constants.array("int", "Indices", each(library.links, parent)),
+      "    " + limits(&JointLimits::lower),
+      "    " + limits(&JointLimits::upper),
+      "    " + limits(&JointLimits::velocity),
+      "    " + limits(&JointLimits::effort),
+      "    " + constants.array(type("Limb"), "Limbs", each(library.limbs, limb))};
+  const std::string table = rows.empty() ? "" : "\nconst " + type("Function") + " kFunctions[] = {\n" + rows + "};\n";
+  return constants.text() + table + "\nconst " + type("Module") + " kModule = {\n" + joined(fields, ",\n") + "};\n";
+}
+
+// The two phases in which Python makes the module.
+std::string print_initialisation(const std::string& name) {
+  return "int execute(PyObject* module) {\n  return robcogen::python::execute(module, kModule);\n}\n\n}  // "
+         "namespace\n\nPyMODINIT_FUNC PyInit_" +
+         name +
+         "() {\n  static robcogen::python::Definition definition(kModule, &execute);\n  return "
+         "definition.initialise();\n}\n";
+}
+
+std::string print_source(const cpp::Api& api, const std::vector<Function>& functions) {
+  const Library& library = *api.library;
+  const std::string folder = cpp::folder(library);
+  std::string declarations, calls;
+  bool has_poses = false;
+  for (const Function& f : functions) {
+    for (const cpp::Callable* c : f.overloads) {
+      if (library.has_batches) declarations += print_declaration(*c);
+      calls += print_calls(api, *c) + "\n";
+    }
+    has_poses = has_poses || f.overloads.empty();
+  }
   return cpp::banner(library, library.name + ".cpp", "its Python module") + "// clang-format off\n#include " +
-         quoted("robcogen/python/make_module.h") + "\n\n#include " + quoted(cpp::kernels_path(folder)) + "\n" +
+         quoted("robcogen/python/make_module.h") + "\n" +
+         (has_poses ? "#include " + quoted("robcogen/python/poses.h") + "\n" : "") + "\n#include " +
+         quoted(cpp::kernels_path(folder)) + "\n" +
          (library.has_robot() ? "#include " + quoted(cpp::header_path(folder, cpp::kParameters)) + "\n" : "") +
          "\nusing robcogen::batch::Strided;\n\n" + cpp::in_namespace(api.space + "::batch::kernel", declarations) +
-         "\nnamespace {\n\n" + calls + print_caches(api) + "\nconst robcogen::python::Module kModule = {\n" +
-         joined(fields, ",\n") + "};\n\n}  // namespace\n\nPyMODINIT_FUNC PyInit_" + library.name +
-         "() {\n  return robcogen::python::make_module(kModule);\n}\n";
+         "\nnamespace {\n\n" + calls + print_caches(api) + "\n" + print_module(api, functions) + "\n" +
+         print_initialisation(library.name);
 }
 
 }  // namespace

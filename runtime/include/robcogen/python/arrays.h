@@ -21,26 +21,48 @@
 
 namespace robcogen::python {
 
+// A constant array of the tables of a module.
+template <class T>
+struct List {
+  const T* items = nullptr;
+  std::size_t count = 0;
+
+  constexpr List() = default;
+  template <std::size_t N>
+  constexpr List(const T (&array)[N]) : items(array), count(N) {}  // NOLINT(google-explicit-constructor)
+  constexpr std::size_t size() const { return count; }
+  constexpr bool empty() const { return count == 0; }
+  constexpr const T* begin() const { return items; }
+  constexpr const T* end() const { return items + count; }
+  constexpr const T& operator[](std::size_t i) const { return items[i]; }
+};
+
 // An array that a function reads or writes for one state.
 struct Argument {
   const char* name;
-  int rank;  // 0: a number, 1: a vector of `rows` elements, 2: a matrix
+  int rank;  // 0: a number, 1: a vector of `rows` elements, 2: a matrix, 3: `pages` matrices, the last dimension
   int rows;
   int columns;
   bool is_by_rows;  // how the library stores a matrix; otherwise by columns
   bool is_parameters;
+  int pages = 1;
+  List<int> quaternions = {};  // the elements that begin unit quaternions
 };
 
 inline std::ptrdiff_t size(const Argument& a) {
-  return static_cast<std::ptrdiff_t>(a.rows) * a.columns;
+  return static_cast<std::ptrdiff_t>(a.rows) * a.columns * a.pages;
+}
+
+// The length of a dimension.
+inline int length(const Argument& a, int dimension) {
+  return dimension == 0 ? a.rows : dimension == 1 ? a.columns : a.pages;
 }
 
 // `(3,)`, `(N, 3)`
 inline std::string shape(const Argument& a, const std::string& first = "") {
   std::vector<std::string> lengths;
   if (!first.empty()) lengths.push_back(first);
-  if (a.rank > 0) lengths.push_back(std::to_string(a.rows));
-  if (a.rank > 1) lengths.push_back(std::to_string(a.columns));
+  for (int d = 0; d < a.rank; ++d) lengths.push_back(std::to_string(length(a, d)));
   std::string text = "(";
   for (std::size_t i = 0; i < lengths.size(); ++i) text += (i ? ", " : "") + lengths[i];
   return text + (lengths.size() == 1 ? ",)" : ")");
@@ -82,19 +104,22 @@ class View {
   }
   template <class Scalar>
   void scatter(std::ptrdiff_t state, const Scalar* from) {
-    each<Scalar>(data_ + state * state_stride_, [&](const char* at, std::ptrdiff_t k) {
-      std::memcpy(const_cast<char*>(at), from + k, sizeof(Scalar));
-    });
+    char* const to = const_cast<char*>(data_) + state * state_stride_;
+    if (type_ == 'f') {
+      each<float>(to, [&](const char* at, std::ptrdiff_t k) { store(static_cast<float>(from[k]), at); });
+    } else {
+      each<double>(to, [&](const char* at, std::ptrdiff_t k) { store(static_cast<double>(from[k]), at); });
+    }
   }
 
   // The same for `count` states, one after another.
   template <class Scalar>
   void gather(std::ptrdiff_t first, std::ptrdiff_t count, Scalar* to) const {
-    for (std::ptrdiff_t i = 0; i < count; ++i) gather(first + i, to + i * inner_ * outer_);
+    for (std::ptrdiff_t i = 0; i < count; ++i) gather(first + i, to + i * inner_ * outer_ * pages_);
   }
   template <class Scalar>
   void scatter(std::ptrdiff_t first, std::ptrdiff_t count, const Scalar* from) {
-    for (std::ptrdiff_t i = 0; i < count; ++i) scatter(first + i, from + i * inner_ * outer_);
+    for (std::ptrdiff_t i = 0; i < count; ++i) scatter(first + i, from + i * inner_ * outer_ * pages_);
   }
 
   // Returns the first element of a state if the library can read or write the state in place, otherwise nullptr.
@@ -131,8 +156,9 @@ class View {
   char type_ = 'd';
   bool is_batch_ = false;
   std::ptrdiff_t states_ = 1, state_stride_ = 0;
-  // In the order of the library: `inner` numbers with one stride, `outer` times.
+  // In the order of the library: `inner` numbers with one stride, `outer` times, and all that `page` times.
   std::ptrdiff_t inner_ = 1, outer_ = 1, inner_stride_ = 0, outer_stride_ = 0, line_stride_ = 0;
+  std::ptrdiff_t pages_ = 1, page_stride_ = 0;
   bool is_line_ = true;  // all elements of a state have one stride
   std::uintptr_t low_ = 0, high_ = 0;
 
@@ -141,6 +167,10 @@ class View {
     T value;
     std::memcpy(&value, at, sizeof value);
     return value;
+  }
+  template <class T>
+  static void store(T value, const char* at) {
+    std::memcpy(const_cast<char*>(at), &value, sizeof value);
   }
   template <class Scalar>
   bool is_type() const {
@@ -153,29 +183,43 @@ class View {
   template <class Scalar>
   bool is_dense() const {
     constexpr auto kSize = static_cast<std::ptrdiff_t>(sizeof(Scalar));
-    return is_type<Scalar>() && is_line_ && (line_stride_ == kSize || inner_ * outer_ <= 1) && is_aligned<Scalar>() &&
-           state_stride_ % kSize == 0;
+    return is_type<Scalar>() && is_line_ && (line_stride_ == kSize || inner_ * outer_ * pages_ <= 1) &&
+           is_aligned<Scalar>() && state_stride_ % kSize == 0;
   }
   // Members are read once, because the compiler must assume that f changes them.
   template <class T, class F>
   void each(const char* from, F f) const {
     const std::ptrdiff_t outer = outer_, inner = inner_, outer_stride = outer_stride_, inner_stride = inner_stride_;
+    const std::ptrdiff_t pages = pages_, page_stride = page_stride_;
     std::ptrdiff_t k = 0;
-    for (std::ptrdiff_t o = 0; o < outer; ++o, from += outer_stride) {
-      const char* at = from;
-      for (std::ptrdiff_t i = 0; i < inner; ++i, at += inner_stride) f(at, k++);
+    for (std::ptrdiff_t p = 0; p < pages; ++p, from += page_stride) {
+      const char* line = from;
+      for (std::ptrdiff_t o = 0; o < outer; ++o, line += outer_stride) {
+        const char* at = line;
+        for (std::ptrdiff_t i = 0; i < inner; ++i, at += inner_stride) f(at, k++);
+      }
     }
   }
 
-  // The strides of rows and columns, in bytes.
-  void set_strides(const Argument& a, std::ptrdiff_t row, std::ptrdiff_t column) {
-    const bool is_matrix = a.rank == 2;
+  // The strides of the dimensions, in bytes.
+  void set_strides(const Argument& a, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t page) {
+    const bool is_matrix = a.rank >= 2;
     inner_ = !is_matrix ? size(a) : a.is_by_rows ? a.columns : a.rows;
     outer_ = !is_matrix ? 1 : a.is_by_rows ? a.rows : a.columns;
+    pages_ = a.pages;
     inner_stride_ = is_matrix && a.is_by_rows ? column : row;
     outer_stride_ = is_matrix && a.is_by_rows ? row : column;
+    page_stride_ = page;
     is_line_ = outer_ <= 1 || inner_ <= 1 || outer_stride_ == inner_ * inner_stride_;
     line_stride_ = inner_ > 1 ? inner_stride_ : outer_stride_;
+    if (pages_ <= 1) return;
+    if (inner_ * outer_ <= 1) line_stride_ = page_stride_;
+    is_line_ = is_line_ && page_stride_ == inner_ * outer_ * line_stride_;
+  }
+  // The strides of numbers that lie dimension by dimension, the last one without gaps.
+  void set_dense_strides(const Argument& a) {
+    const std::ptrdiff_t last = 8 * static_cast<std::ptrdiff_t>(a.pages);
+    set_strides(a, a.rank >= 2 ? last * a.columns : last, last, 8);
   }
   bool take_buffer(const Argument& argument, const char* function, bool is_result);
   bool fail(const Argument& a, const char* function, int count, const Py_ssize_t* lengths, bool is_result) const;
@@ -244,14 +288,14 @@ inline bool View::fail(const Argument& a, const char* function, int count, const
 inline bool View::take_buffer(const Argument& a, const char* function, bool is_result) {
   const int expected = a.rank, lead = buffer_.ndim - expected;
   bool fits = lead == 0 || lead == 1;
-  if (fits && expected > 0) fits = buffer_.shape[lead] == a.rows;
-  if (fits && expected > 1) fits = buffer_.shape[lead + 1] == a.columns;
+  for (int d = 0; fits && d < expected; ++d) fits = buffer_.shape[lead + d] == length(a, d);
   if (!fits) return fail(a, function, buffer_.ndim, buffer_.shape, is_result);
   data_ = static_cast<const char*>(buffer_.buf);
   is_batch_ = lead == 1;
   states_ = is_batch_ ? buffer_.shape[0] : 1;
   state_stride_ = is_batch_ ? buffer_.strides[0] : 0;
-  set_strides(a, expected > 0 ? buffer_.strides[lead] : 0, expected > 1 ? buffer_.strides[lead + 1] : 0);
+  const auto stride = [&](int d) { return expected > d ? buffer_.strides[lead + d] : 0; };
+  set_strides(a, stride(0), stride(1), stride(2));
   find_range();
   return true;
 }
@@ -265,15 +309,18 @@ inline void View::find_range() {
   extend(states_, state_stride_);
   extend(inner_, inner_stride_);
   extend(outer_, outer_stride_);
-  if (states_ * inner_ * outer_ == 0) return;
+  extend(pages_, page_stride_);
+  if (states_ * inner_ * outer_ * pages_ == 0) return;
   low_ = reinterpret_cast<std::uintptr_t>(data_) + static_cast<std::uintptr_t>(low);
   high_ = reinterpret_cast<std::uintptr_t>(data_) + static_cast<std::uintptr_t>(high) + (type_ == 'f' ? 4 : 8);
 }
 
 inline bool View::overlaps_itself() const {
-  std::array<std::pair<std::ptrdiff_t, std::ptrdiff_t>, 3> dimensions = {
-      // distance and count
-      {{std::abs(state_stride_), states_}, {std::abs(inner_stride_), inner_}, {std::abs(outer_stride_), outer_}}};
+  std::array<std::pair<std::ptrdiff_t, std::ptrdiff_t>, 4> dimensions = {// distance and count
+                                                                         {{std::abs(state_stride_), states_},
+                                                                          {std::abs(inner_stride_), inner_},
+                                                                          {std::abs(outer_stride_), outer_},
+                                                                          {std::abs(page_stride_), pages_}}};
   std::sort(dimensions.begin(), dimensions.end());
   std::ptrdiff_t reach = type_ == 'f' ? 4 : 8;
   for (const auto& [distance, count] : dimensions) {
@@ -319,17 +366,16 @@ inline bool View::read(PyObject* object, const Argument& a, const char* function
   if (is_empty && expected > 0 && a.rows > 0) {
     is_batch_ = true;
     states_ = 0;
-    set_strides(a, 8, 8);
+    set_dense_strides(a);
     return true;
   }
-  if (fits && expected > 0) fits = lengths[lead] == a.rows;
-  if (fits && expected > 1) fits = lengths[lead + 1] == a.columns;
+  for (std::size_t d = 0; fits && d < expected; ++d) fits = lengths[lead + d] == length(a, static_cast<int>(d));
   if (!fits) return fail(a, function, static_cast<int>(lengths.size()), lengths.data(), false);
   is_batch_ = lead == 1;
   states_ = is_batch_ ? lengths[0] : 1;
   data_ = reinterpret_cast<const char*>(numbers_.data());
   state_stride_ = is_batch_ ? 8 * size(a) : 0;
-  set_strides(a, a.rank == 2 ? 8 * a.columns : 8, 8);
+  set_dense_strides(a);
   return true;
 }
 
@@ -350,7 +396,7 @@ inline bool View::read_result(PyObject* object, const Argument& a, const char* f
 inline void View::set_constant(const double* numbers, const Argument& a) {
   numbers_.assign(numbers, numbers + size(a));
   data_ = reinterpret_cast<const char*>(numbers_.data());
-  set_strides(a, a.rank == 2 ? 8 * a.columns : 8, 8);
+  set_dense_strides(a);
 }
 
 }  // namespace robcogen::python

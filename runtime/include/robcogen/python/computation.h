@@ -35,7 +35,7 @@ class Scratch {
 template <class Scalar>
 const Scalar* parameters_in(const Entry& entry, const Inputs& inputs) {
   if (!inputs.caches) return nullptr;
-  const ParameterTable& table = entry.module->parameters;
+  const ParameterTable& table = entry.module->tables->parameters;
   if constexpr (sizeof(Scalar) == 4) {
     return table.in_float(inputs.caches);
   } else {
@@ -151,9 +151,9 @@ void compute_in(const Entry& entry, const Inputs& inputs, Results& results) {
     compute_each<Scalar>(entry, inputs, results);
 }
 
-// Computes in the scalar type of the arrays.
+// Computes in the scalar type of the arrays, or in double if the library has nothing else.
 inline void compute(const Entry& entry, const Inputs& inputs, Results& results) {
-  if (inputs.is_float)
+  if (inputs.is_float && inputs.variant->in_float)
     compute_in<float>(entry, inputs, results);
   else
     compute_in<double>(entry, inputs, results);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <new>
 
 #include "robcogen/python/arguments.h"
@@ -65,6 +67,36 @@ inline bool set_default(const Entry& entry, const Argument& a, View& view) {
   return true;
 }
 
+// A quaternion of any other length would make results wrong without a word. The tolerance admits numbers that were
+// printed with four digits.
+inline constexpr double kUnitTolerance = 1e-4;
+
+// Whether the quaternions of all states have unit length; NaN affects only its own state. Otherwise an exception is
+// set.
+inline bool check_quaternions(const Entry& entry, const Argument& a, const View& view) {
+  if (a.quaternions.empty()) return true;
+  std::vector<double> values(static_cast<std::size_t>(size(a)));
+  for (std::ptrdiff_t state = 0; state < view.states(); ++state) {
+    view.gather(state, values.data());
+    for (const int first : a.quaternions) {
+      const double* const q = values.data() + first;
+      const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+      if (!(std::abs(norm - 1) > kUnitTolerance)) continue;
+      char text[32];
+      std::snprintf(text, sizeof text, "%.6g", norm);
+      const std::string of = std::string(a.name) + "[" + std::to_string(first) + ":" + std::to_string(first + 4) + "]";
+      const std::string where = view.is_batch() ? " in state " + std::to_string(state) : "";
+      const bool is_pose = std::strcmp(a.name, "base_pose") == 0;
+      const char* const order = std::strcmp(a.name, "orientation") == 0 ? "x, y, z, w" : "w, x, y, z";
+      return refuse(
+          entry, of + " must be a unit quaternion " + order + (is_pose ? ", followed by the position" : "") +
+                     ": its norm" + where + " is " + text +
+                     (is_pose ? "; base_pose_from_mujoco and base_pose_from_ros take other orders" : ""));
+    }
+  }
+  return true;
+}
+
 // Returns whether it succeeded; otherwise an exception is set.
 inline bool read_inputs(const Entry& entry, PyObject* const* given, Inputs& inputs) {
   const Function& function = *entry.function;
@@ -76,8 +108,6 @@ inline bool read_inputs(const Entry& entry, PyObject* const* given, Inputs& inpu
     const Argument& a = function.arguments[k];
     View& view = inputs.views.add(k);
     if (a.is_parameters) {
-      if (PyObject_TypeCheck(given[k], parameters_type) == 0)
-        return refuse(entry, "parameters must be of the type Parameters of the module", PyExc_TypeError);
       inputs.caches = reinterpret_cast<ParametersObject*>(given[k])->caches;
       continue;
     }
@@ -85,7 +115,7 @@ inline bool read_inputs(const Entry& entry, PyObject* const* given, Inputs& inpu
       if (!set_default(entry, a, view)) return false;
       continue;
     }
-    if (!view.read(given[k], a, function.name)) return false;
+    if (!view.read(given[k], a, function.name) || !check_quaternions(entry, a, view)) return false;
     (view.is_float() ? has_float : has_double) |= view.is_array();
     if (!view.is_batch()) continue;
     inputs.is_batch = true;

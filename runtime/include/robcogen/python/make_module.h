@@ -2,9 +2,8 @@
 // names and limits of the model.
 #pragma once
 
-#include <cmath>
-
 #include "robcogen/python/module.h"
+#include "robcogen/python/parameters.h"
 
 namespace robcogen::python {
 
@@ -16,84 +15,18 @@ inline bool add(PyObject* module, const char* name, PyObject* value) {
 }
 
 template <class T, class F>
-PyObject* tuple(const std::vector<T>& values, F make) {
+PyObject* tuple(const List<T>& values, F make) {
   PyObject* const result = PyTuple_New(static_cast<Py_ssize_t>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i) PyTuple_SetItem(result, static_cast<Py_ssize_t>(i), make(values[i]));
   return result;
 }
 
-inline const Module* module_of_parameters = nullptr;
-
-inline void delete_parameters(PyObject* self) {
-  auto* const object = reinterpret_cast<ParametersObject*>(self);
-  module_of_parameters->parameters.destroy(object->caches);
-  delete[] object->values;
-  PyTypeObject* const type = Py_TYPE(self);
-  reinterpret_cast<freefunc>(PyType_GetSlot(type, Py_tp_free))(self);
-  Py_DecRef(reinterpret_cast<PyObject*>(type));
-}
-
-// Parameters(name=value, …). Parameters that are not given have their defaults.
-inline PyObject* new_parameters(PyTypeObject* type, PyObject* args, PyObject* keywords) {
-  const ParameterTable& table = module_of_parameters->parameters;
-  if (PyTuple_Size(args) > 0) {
-    PyErr_SetString(PyExc_TypeError, "Parameters takes keyword arguments only");
-    return nullptr;
-  }
-  std::vector<double> values = table.defaults;
-  Py_ssize_t taken = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    PyObject* const value = keywords ? PyDict_GetItemString(keywords, table.names[i]) : nullptr;
-    if (value) {
-      values[i] = PyFloat_AsDouble(value);
-      if (PyErr_Occurred()) return nullptr;
-      ++taken;
-    } else if (std::isnan(values[i])) {
-      PyErr_Format(PyExc_ValueError, "Parameters: '%s' has no default: give its value", table.names[i]);
-      return nullptr;
-    }
-  }
-  if (keywords && taken < PyDict_Size(keywords)) {
-    PyErr_SetString(PyExc_TypeError, "Parameters: unknown name; parameter_names lists the names");
-    return nullptr;
-  }
-  const auto allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(type, Py_tp_alloc));
-  PyObject* const self = allocate(type, 0);
-  if (!self) return nullptr;
-  auto* const object = reinterpret_cast<ParametersObject*>(self);
-  object->caches = table.make(values.data());
-  object->values = new double[values.size()];
-  std::copy(values.begin(), values.end(), object->values);
-  return self;
-}
-
-inline PyObject* parameter(PyObject* self, PyObject* name) {
-  const ParameterTable& table = module_of_parameters->parameters;
-  for (std::size_t i = 0; i < table.names.size(); ++i)
-    if (PyUnicode_CompareWithASCIIString(name, table.names[i]) == 0)
-      return PyFloat_FromDouble(reinterpret_cast<ParametersObject*>(self)->values[i]);
-  return PyObject_GenericGetAttr(self, name);
-}
-
-inline bool add_parameters(PyObject* module, const Module& m) {
-  if (m.parameters.names.empty()) return true;
-  module_of_parameters = &m;
-  static const std::string name = std::string(m.name) + ".Parameters";
-  static PyType_Slot slots[] = {
-      {Py_tp_new, reinterpret_cast<void*>(&new_parameters)},
-      {Py_tp_dealloc, reinterpret_cast<void*>(&delete_parameters)},
-      {Py_tp_getattro, reinterpret_cast<void*>(&parameter)},
-      {Py_tp_doc,
-       const_cast<char*>("Values of the parameters, by name. A parameter that is not given has its default.")},
-      {0, nullptr}};
-  static PyType_Spec spec = {
-      name.c_str(), sizeof(ParametersObject), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_IMMUTABLETYPE, slots};
-  PyObject* const type = PyType_FromSpec(&spec);
-  if (!type) return false;
-  parameters_type = reinterpret_cast<PyTypeObject*>(type);
-  Py_IncRef(type);
-  const auto text = [](const char* s) { return PyUnicode_FromString(s); };
-  return add(module, "Parameters", type) && add(module, "parameter_names", tuple(m.parameters.names, text));
+// An attribute of another module. Returns a new reference, or null with an exception.
+inline PyObject* imported(const char* module, const char* name) {
+  PyObject* const from = PyImport_ImportModule(module);
+  PyObject* const object = from ? PyObject_GetAttrString(from, name) : nullptr;
+  Py_DecRef(from);
+  return object;
 }
 
 // Returns the module of a scope such as `transforms.homogeneous`, and makes it if there is none. A borrowed reference.
@@ -111,45 +44,91 @@ inline PyObject* scope_of(PyObject* module, std::string scope) {
   return module;
 }
 
-// The type of a structure of several results, with their names.
-inline PyTypeObject* structure(const Entry& entry) {
-  std::vector<PyStructSequence_Field> fields;
-  for (const Argument& a : entry.function->results) fields.push_back({a.name, nullptr});
-  fields.push_back({nullptr, nullptr});
-  static std::vector<std::unique_ptr<std::string>> names;
-  names.push_back(std::make_unique<std::string>(entry.name + "_result"));
-  PyStructSequence_Desc description = {
-      names.back()->c_str(), "Results, by name.", fields.data(), static_cast<int>(fields.size()) - 1};
-  return PyStructSequence_NewType(&description);
+// A class of named tuples with these fields, which the module then has under this name: pickles refer to it.
+inline PyObject* named_tuple(PyObject* module, const State& state, const std::string& name, PyObject* fields) {
+  PyObject* const keywords = Py_BuildValue("{ss}", "module", state.name.c_str());
+  PyObject* const arguments = fields ? Py_BuildValue("(sO)", name.c_str(), fields) : nullptr;
+  PyObject* const type = keywords && arguments ? PyObject_Call(state.named_tuple, arguments, keywords) : nullptr;
+  Py_DecRef(arguments);
+  Py_DecRef(keywords);
+  if (!type) return nullptr;
+  Py_IncRef(type);
+  if (add(module, name.c_str(), type)) return type;
+  Py_DecRef(type);
+  return nullptr;
 }
 
-inline bool add_function(PyObject* module, const Module& m, const Function& f) {
+// The class of several results: `transforms_homogeneous_post_X_hook_result`.
+inline PyObject* structure(PyObject* module, const State& state, const Function& f) {
+  std::string name = (*f.scope ? f.scope + std::string("_") : "") + f.name + "_result";
+  std::replace(name.begin(), name.end(), '.', '_');
+  PyObject* const fields = tuple(f.results, [](const Argument& a) { return PyUnicode_FromString(a.name); });
+  PyObject* const type = named_tuple(module, state, name, fields);
+  Py_DecRef(fields);
+  return type;
+}
+
+// For pickle: a function is found by the name of its module and by its scope.
+inline PyObject* reduce_function_data(PyObject* self, PyObject*) {
+  const Entry& entry = *reinterpret_cast<FunctionData*>(self)->entry;
+  PyObject* const find = imported("pkgutil", "resolve_name");
+  const std::string place = entry.module->name + ":" + entry.function->scope;
+  PyObject* const result = find ? Py_BuildValue("(O(s))", find, place.c_str()) : nullptr;
+  Py_DecRef(find);
+  return result;
+}
+
+inline PyObject* type_of_function_data(PyObject* module, State& state) {
+  static PyMethodDef methods[] = {
+      {"__reduce__", reinterpret_cast<PyCFunction>(&reduce_function_data), METH_NOARGS, nullptr}, {}};
+  state.name_of_function_data = state.name + ".function";
+  PyType_Slot slots[] = {{Py_tp_methods, methods}, {0, nullptr}};
+  PyType_Spec spec = {
+      state.name_of_function_data.c_str(), sizeof(FunctionData), 0,
+      Py_TPFLAGS_DEFAULT | Py_TPFLAGS_IMMUTABLETYPE | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
+  return PyType_FromModuleAndSpec(module, &spec, nullptr);
+}
+
+inline PyObject* function_data(const State& state, const Entry* entry) {
+  auto* const type = reinterpret_cast<PyTypeObject*>(state.function_data);
+  PyObject* const self = PyType_GenericAlloc(type, 0);
+  if (self) reinterpret_cast<FunctionData*>(self)->entry = entry;
+  return self;
+}
+
+inline bool add_function(PyObject* module, const State& state, const Function& f) {
+  if (f.arguments.size() > kMaxArrays || f.results.size() > kMaxArrays) {
+    PyErr_Format(PyExc_ImportError, "%s.%s has too many arrays", state.name.c_str(), f.name);
+    return false;
+  }
   PyObject* const scope = scope_of(module, f.scope);
   if (!scope) return false;
   auto* const entry = new Entry;
-  entry->module = &m;
+  entry->module = &state;
   entry->function = &f;
-  entry->name = std::string(m.name) + "." + (*f.scope ? f.scope + std::string(".") : "") + f.name;
   for (const Argument& a : f.arguments) entry->keywords.push_back(PyUnicode_InternFromString(a.name));
   entry->keywords.push_back(PyUnicode_InternFromString("out"));
-  if (f.results.size() != 1) entry->structure = structure(*entry);
-  for (const Argument& a : f.results)
-    for (PyObject* type : types)
+  if (f.results.size() != 1) {
+    entry->structure = structure(module, state, f);
+    if (!entry->structure) return false;
+  }
+  for (const Argument& a : f.results) {
+    for (PyObject* type : state.types)
       entry->shapes.push_back(type ? Py_BuildValue("(NO)", lengths(a, false, 1), type) : nullptr);
-  entry->method.reset(new PyMethodDef{
+  }
+  entry->method = {
       f.name, reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&call)), METH_FASTCALL | METH_KEYWORDS,
-      f.documentation});
-  // The entry is never deleted, because Python never unloads a module.
-  PyObject* const self = PyCapsule_New(entry, nullptr, nullptr);
-  PyObject* const name = PyUnicode_FromString(m.name);
-  PyObject* const function = self ? PyCFunction_NewEx(entry->method.get(), self, name) : nullptr;
+      f.documentation};
+  PyObject* const self = function_data(state, entry);
+  PyObject* const name = PyUnicode_FromString(state.name.c_str());
+  PyObject* const function = self && name ? PyCFunction_NewEx(&entry->method, self, name) : nullptr;
   Py_XDECREF(self);
   Py_XDECREF(name);
   return add(scope, f.name, function);
 }
 
 // {'KFE': 2, …}
-inline PyObject* indices(const std::vector<LimbElement>& elements) {
+inline PyObject* indices(const List<LimbElement>& elements) {
   PyObject* const result = PyDict_New();
   for (const LimbElement& e : elements) {
     PyObject* const index = PyLong_FromLong(e.index);
@@ -160,64 +139,122 @@ inline PyObject* indices(const std::vector<LimbElement>& elements) {
 }
 
 // {'LF': Limb(name='LF', part='Leg', first_link=1, links={…}, joints={…}, frames={…}), …}
-inline PyObject* limbs(const Module& m) {
-  static PyStructSequence_Field fields[] = {{"name", nullptr},  {"part", nullptr},   {"first_link", nullptr},
-                                            {"links", nullptr}, {"joints", nullptr}, {"frames", nullptr},
-                                            {nullptr, nullptr}};
-  static const std::string name = std::string(m.name) + ".Limb";
-  static PyStructSequence_Desc description = {
-      name.c_str(),
-      "An instance of a part: indices in the robot by names in the part; joints are those of joint_names.", fields, 6};
+inline PyObject* limbs(PyObject* module, const State& state) {
   PyObject* const result = PyDict_New();
-  PyTypeObject* const type = m.limbs.empty() || !result ? nullptr : PyStructSequence_NewType(&description);
-  if (!type) return result;
-  for (const Limb& l : m.limbs) {
-    PyObject* const limb = PyStructSequence_New(type);
-    if (!limb) break;
-    PyStructSequence_SetItem(limb, 0, PyUnicode_FromString(l.name));
-    PyStructSequence_SetItem(limb, 1, PyUnicode_FromString(l.part));
-    PyStructSequence_SetItem(limb, 2, PyLong_FromLong(l.first_link));
-    PyStructSequence_SetItem(limb, 3, indices(l.links));
-    PyStructSequence_SetItem(limb, 4, indices(l.joints));
-    PyStructSequence_SetItem(limb, 5, indices(l.frames));
-    PyDict_SetItemString(result, l.name, limb);
+  PyObject* const fields = Py_BuildValue("(ssssss)", "name", "part", "first_link", "links", "joints", "frames");
+  PyObject* const type = result && fields ? named_tuple(module, state, "Limb", fields) : nullptr;
+  Py_DecRef(fields);
+  bool is_good = type != nullptr;
+  for (const Limb& l : state.tables->limbs) {
+    PyObject* const limb = is_good ? PyObject_CallFunction(
+                                         type, "(ssiNNN)", l.name, l.part, l.first_link, indices(l.links),
+                                         indices(l.joints), indices(l.frames))
+                                   : nullptr;
+    is_good = limb && PyDict_SetItemString(result, l.name, limb) == 0;
     Py_DecRef(limb);
   }
-  Py_DecRef(reinterpret_cast<PyObject*>(type));
-  return result;
-}
-
-inline PyObject* make_module(const Module& m) {
-  static PyModuleDef definition = {
-      PyModuleDef_HEAD_INIT, m.name, m.documentation, -1, nullptr, nullptr, nullptr, nullptr, nullptr};
-  PyObject* const module = PyModule_Create(&definition);
-  if (!module) return nullptr;
-  if (PyObject* const numpy = PyImport_ImportModule("numpy")) {
-    numpy_empty = PyObject_GetAttrString(numpy, "empty");
-    types[0] = PyObject_GetAttrString(numpy, "float64");
-    types[1] = PyObject_GetAttrString(numpy, "float32");
-    Py_DecRef(numpy);
-  } else {
-    PyErr_Clear();
-  }
-  const auto text = [](const char* s) { return PyUnicode_FromString(s); };
-  const auto number = [](double x) { return PyFloat_FromDouble(x); };
-  bool is_good = add_parameters(module, m);
-  is_good = is_good && add(module, "frame_names", tuple(m.frames, text));
-  // Modules without links have only transforms.
-  if (!m.links.empty())
-    is_good =
-        is_good && add(module, "dof", PyLong_FromSize_t(m.joints.size())) &&
-        add(module, "joint_names", tuple(m.joints, text)) && add(module, "position_names", tuple(m.positions, text)) &&
-        add(module, "link_names", tuple(m.links, text)) &&
-        add(module, "link_parents", tuple(m.parents, [](int i) { return PyLong_FromLong(i); })) &&
-        add(module, "joint_lower", tuple(m.lower, number)) && add(module, "joint_upper", tuple(m.upper, number)) &&
-        add(module, "joint_velocity", tuple(m.velocity, number)) &&
-        add(module, "joint_effort", tuple(m.effort, number)) && add(module, "limbs", limbs(m));
-  for (const Function& f : m.functions) is_good = is_good && add_function(module, m, f);
-  if (is_good) return module;
-  Py_DecRef(module);
+  Py_DecRef(type);
+  if (is_good) return result;
+  Py_DecRef(result);
   return nullptr;
 }
+
+// The objects of Python and NumPy that functions need.
+inline bool import_types(PyObject* module, State& state) {
+  state.named_tuple = imported("collections", "namedtuple");
+  state.function_data = state.named_tuple ? type_of_function_data(module, state) : nullptr;
+  if (!state.function_data) return false;
+  state.numpy_empty = imported("numpy", "empty");
+  if (!state.numpy_empty) {
+    if (PyErr_ExceptionMatches(PyExc_ImportError) == 0) return false;
+    PyErr_Clear();
+    return true;
+  }
+  state.types[0] = imported("numpy", "float64");
+  state.types[1] = imported("numpy", "float32");
+  return state.types[0] && state.types[1];
+}
+
+inline bool add_model(PyObject* module, const State& state) {
+  const Module& m = *state.tables;
+  const auto text = [](const char* s) { return PyUnicode_FromString(s); };
+  const auto number = [](double x) { return PyFloat_FromDouble(x); };
+  if (!add(module, "frame_names", tuple(m.frames, text))) return false;
+  // Modules without links have only transforms.
+  return m.links.empty() ||
+         (add(module, "dof", PyLong_FromSize_t(m.joints.size())) && add(module, "joint_names", tuple(m.joints, text)) &&
+          add(module, "position_names", tuple(m.positions, text)) && add(module, "link_names", tuple(m.links, text)) &&
+          add(module, "link_parents", tuple(m.parents, [](int i) { return PyLong_FromLong(i); })) &&
+          add(module, "joint_lower", tuple(m.lower, number)) && add(module, "joint_upper", tuple(m.upper, number)) &&
+          add(module, "joint_velocity", tuple(m.velocity, number)) &&
+          add(module, "joint_effort", tuple(m.effort, number)) && add(module, "limbs", limbs(module, state)));
+}
+
+inline bool add_parameters(PyObject* module, State& state) {
+  const ParameterTable& table = state.tables->parameters;
+  if (table.names.empty()) return true;
+  state.parameters = type_of_parameters(module, state);
+  if (!state.parameters) return false;
+  Py_IncRef(state.parameters);
+  const auto text = [](const char* s) { return PyUnicode_FromString(s); };
+  return add(module, "Parameters", state.parameters) && add(module, "parameter_names", tuple(table.names, text));
+}
+
+// NumPy, whose arrays functions return, works in the first interpreter of a process only.
+inline bool check_interpreter(PyObject* name) {
+  if (PyInterpreterState_GetID(PyInterpreterState_Get()) == 0) return true;
+  PyErr_Format(PyExc_ImportError, "%U cannot be imported in a subinterpreter: import it in the main interpreter", name);
+  return false;
+}
+
+inline bool fill_module(PyObject* module, const Module& m) {
+  PyObject* const name = PyModule_GetNameObject(module);
+  PyObject* const bytes = name ? PyUnicode_AsUTF8String(name) : nullptr;
+  auto* const state = bytes ? new State : nullptr;
+  if (state) state->name = PyBytes_AsString(bytes);
+  const bool is_allowed = state && check_interpreter(name);
+  Py_DecRef(bytes);
+  Py_DecRef(name);
+  if (!is_allowed) return false;
+  state->tables = &m;
+  *static_cast<State**>(PyModule_GetState(module)) = state;
+  if (!import_types(module, *state) || !add_parameters(module, *state) || !add_model(module, *state)) return false;
+  for (const Function& f : m.functions)
+    if (!add_function(module, *state, f)) return false;
+  return true;
+}
+
+// Adds to a new module what the tables say. Returns 0, or -1 with an exception.
+inline int execute(PyObject* module, const Module& m) {
+  try {
+    return fill_module(module, m) ? 0 : -1;
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+    return -1;
+  }
+}
+
+// What the function PyInit_… returns: the definition of a module, which Python makes in a second phase (PEP 489). If it
+// were made here, Python would take the module of another robot for this one if they had the same name.
+class Definition {
+ public:
+  Definition(const Module& m, int (*exec)(PyObject*)) {
+    std::size_t k = 0;
+    slots_[k++] = {Py_mod_exec, reinterpret_cast<void*>(exec)};
+    // Slot 3 is Py_mod_multiple_interpreters of Python 3.12, and its value 0 means that they are not supported. Older
+    // versions would refuse the slot; `check_interpreter` does its work there.
+    constexpr unsigned long kVersion3_12 = 0x030c0000;
+    if (Py_Version >= kVersion3_12) slots_[k++] = {3, nullptr};
+    definition_.m_name = m.name;
+    definition_.m_doc = m.documentation;
+    definition_.m_size = sizeof(State*);
+    definition_.m_slots = slots_;
+  }
+  PyObject* initialise() { return PyModuleDef_Init(&definition_); }
+
+ private:
+  PyModuleDef_Slot slots_[3] = {};
+  PyModuleDef definition_ = {PyModuleDef_HEAD_INIT, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr};
+};
 
 }  // namespace robcogen::python

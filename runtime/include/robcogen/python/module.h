@@ -31,15 +31,21 @@ inline PyObject* result_object(const Entry& entry, bool is_array, const Results&
   return PyFloat_FromDouble(number);
 }
 
-// Returns the result, or a structure of several results.
+// Returns the result, or a named tuple of several results.
 inline PyObject* collect(const Entry& entry, bool is_array, const Results& results) {
   const std::size_t count = entry.function->results.size();
   if (count == 1) return result_object(entry, is_array, results, 0);
-  PyObject* const structure = PyStructSequence_New(entry.structure);
-  if (!structure) return nullptr;
-  for (std::size_t r = 0; r < count; ++r)
-    PyStructSequence_SetItem(structure, static_cast<Py_ssize_t>(r), result_object(entry, is_array, results, r));
-  return structure;
+  PyObject* const items = PyTuple_New(static_cast<Py_ssize_t>(count));
+  for (std::size_t r = 0; items && r < count; ++r)
+    PyTuple_SetItem(items, static_cast<Py_ssize_t>(r), result_object(entry, is_array, results, r));
+  PyObject* const arguments = items ? PyTuple_Pack(1, items) : nullptr;
+  // A named tuple is made as a tuple is: its own constructor, which is written in Python, takes much longer.
+  const auto make = reinterpret_cast<newfunc>(PyType_GetSlot(&PyTuple_Type, Py_tp_new));
+  PyObject* const tuple =
+      arguments ? make(reinterpret_cast<PyTypeObject*>(entry.structure), arguments, nullptr) : nullptr;
+  Py_DecRef(arguments);
+  Py_DecRef(items);
+  return tuple;
 }
 
 // `given` has the arguments in the order of the function's arguments, then `out`.
@@ -58,7 +64,7 @@ inline PyObject* call_with(const Entry& entry, PyObject* const* given) {
 }
 
 inline PyObject* call(PyObject* self, PyObject* const* args, Py_ssize_t count, PyObject* names) {
-  const Entry& entry = *static_cast<Entry*>(PyCapsule_GetPointer(self, nullptr));
+  const Entry& entry = *reinterpret_cast<FunctionData*>(self)->entry;
   PyObject* given[kMaxArrays + 1] = {};
   if (!place(entry, args, count, names, given)) return nullptr;
   try {

@@ -10,8 +10,7 @@ inline PyObject* lengths(const Argument& a, bool is_batch, std::ptrdiff_t states
   PyObject* const tuple = PyTuple_New(a.rank + (is_batch ? 1 : 0));
   Py_ssize_t k = 0;
   if (is_batch) PyTuple_SetItem(tuple, k++, PyLong_FromSsize_t(states));
-  if (a.rank > 0) PyTuple_SetItem(tuple, k++, PyLong_FromLong(a.rows));
-  if (a.rank > 1) PyTuple_SetItem(tuple, k++, PyLong_FromLong(a.columns));
+  for (int d = 0; d < a.rank; ++d) PyTuple_SetItem(tuple, k++, PyLong_FromLong(length(a, d)));
   return tuple;
 }
 
@@ -32,10 +31,12 @@ inline PyObject* memory(const Argument& a, bool is_float, bool is_batch, std::pt
 
 inline PyObject* empty_array(const Entry& entry, std::size_t r, bool is_float, bool is_batch, std::ptrdiff_t states) {
   const Argument& a = entry.function->results[r];
-  if (!numpy_empty) return memory(a, is_float, is_batch, states);
-  if (!is_batch) return PyObject_CallObject(numpy_empty, entry.shapes[2 * r + (is_float ? 1 : 0)]);
+  const State& module = *entry.module;
+  if (!module.numpy_empty) return memory(a, is_float, is_batch, states);
+  if (!is_batch) return PyObject_CallObject(module.numpy_empty, entry.shapes[2 * r + (is_float ? 1 : 0)]);
   PyObject* const shape = lengths(a, true, states);
-  PyObject* const array = PyObject_CallFunctionObjArgs(numpy_empty, shape, types[is_float ? 1 : 0], nullptr);
+  PyObject* const array =
+      PyObject_CallFunctionObjArgs(module.numpy_empty, shape, module.types[is_float ? 1 : 0], nullptr);
   Py_DecRef(shape);
   return array;
 }

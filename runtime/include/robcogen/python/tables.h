@@ -1,4 +1,5 @@
-// Tables that describe the functions, parameters and model of a generated library to its Python module.
+// Tables that describe the functions, parameters and model of a generated library to its Python module. They are
+// constants that need no code when the module is loaded, and little time to compile.
 #pragma once
 
 #include "robcogen/batch.h"
@@ -15,12 +16,12 @@ using Batch = void (*)(
     const batch::Strided<const Scalar>* in,
     const batch::Strided<Scalar>* out);
 
-// An overload, which takes the first `inputs` arguments.
+// An overload, which takes the first `inputs` arguments. What the library does not have is null.
 struct Variant {
   int inputs;
   Kernel<double> in_double;
   Kernel<float> in_float;
-  Batch<double> batch_in_double;  // or nullptr
+  Batch<double> batch_in_double;
   Batch<float> batch_in_float;
 };
 
@@ -28,20 +29,20 @@ struct Function {
   const char* scope;  // `transforms.homogeneous`, or empty
   const char* name;
   const char* documentation;
-  std::vector<Argument> arguments;
+  List<Argument> arguments;
   int required;
-  std::vector<Argument> results;
-  std::vector<Variant> variants;  // fewest inputs first
+  List<Argument> results;
+  List<Variant> variants;  // fewest inputs first
 };
 
 // The parameters of the library; all pointers are null if there are none.
 struct ParameterTable {
-  std::vector<const char*> names;
-  std::vector<double> defaults;  // NaN: no default
+  List<const char*> names;
+  List<double> defaults;  // NaN: no default
   void* (*make)(const double* values);
   void (*destroy)(void* caches);
   const double* (*in_double)(const void* caches);
-  const float* (*in_float)(const void* caches);
+  const float* (*in_float)(const void* caches);  // or nullptr
 };
 
 struct LimbElement {
@@ -54,18 +55,18 @@ struct Limb {
   const char* name;
   const char* part;
   int first_link;
-  std::vector<LimbElement> links, joints, frames;
+  List<LimbElement> links, joints, frames;
 };
 
 struct Module {
   const char* name;
   const char* documentation;
-  std::vector<Function> functions;
+  List<Function> functions;
   ParameterTable parameters;
-  std::vector<const char*> joints, positions, links, frames;  // positions: the elements of q
-  std::vector<int> parents;                                   // by link; -1: the base
-  std::vector<double> lower, upper, velocity, effort;
-  std::vector<Limb> limbs = {};
+  List<const char*> joints, positions, links, frames;  // positions: the elements of q
+  List<int> parents;                                   // by link; -1: the base
+  List<double> lower, upper, velocity, effort;
+  List<Limb> limbs = {};
 };
 
 }  // namespace robcogen::python

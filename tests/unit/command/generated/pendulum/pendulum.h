@@ -13,6 +13,18 @@
 #include "pendulum/model.h"
 #include "pendulum/types.h"
 
+#ifdef ROBCOGEN_REFERS_TO_MODEL
+
+namespace pendulum::identity {
+
+// A program with two models of this name does not link: give one of them another NAME or NAMESPACE.
+extern const char model_b7c1a939de8c5edc;
+[[gnu::used]] static const char* const of_functions = &model_b7c1a939de8c5edc;
+
+}  // namespace pendulum::identity
+
+#endif  // ROBCOGEN_REFERS_TO_MODEL
+
 namespace pendulum {
 
 // Joint forces tau (N m, N) for joint accelerations qdd: recursive Newton-Euler (Featherstone 2008, ch. 5).
