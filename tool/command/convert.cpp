@@ -77,13 +77,13 @@ void require_no_loops(const driver::Model& model, const Robot& robot, std::strin
 // Fails if URDF+ cannot express a loop.
 void require_hinges(const driver::Model& model, const Robot& robot) {
   for (const model::LoopJoint& loop : robot.tree.loops) {
-    if (exporting::may_be_urdf_loop(robot.tree, loop)) continue;
+    if (exporting::may_be_urdf_loop(loop)) continue;
     const std::string owner = fmt::format("loop '{}' of robot '{}'", loop.name, robot.tree.name);
     const std::string message =
         loop.type == model::LoopType::hinge
             ? fmt::format(
-                  "URDF+ cannot express that {} is not assembled where it is drawn [loop-lost]\nhint: turn the "
-                  "placements of its joints to where it is assembled",
+                  "URDF+ cannot express that {} is assembled on the other branch [loop-lost]\nhint: turn the "
+                  "placements of its joints to where it is assembled, or give them 'assembled' positions near it",
                   owner)
             : fmt::format(
                   "URDF+ has only hinges, but {} is of type {} [loop-lost]", owner,
