@@ -149,7 +149,7 @@ Status draw(const ViewOptions& options) {
   require_robot(options, "draw", {".svg"});
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = view::viewed(*model, view::Purpose::drawing);
   view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
   view::Pattern pattern;
   if (options.pattern) {
@@ -166,7 +166,7 @@ Status view(const ViewOptions& options) {
   Diagnostics diagnostics;
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = view::viewed(*model, view::Purpose::page);
   const view::PageOptions page = {positions(options, robot, model->robot()->tree), parameters(options, robot)};
   return write(options, *model, view::page(*model, robot, diagnostics, page));
 }

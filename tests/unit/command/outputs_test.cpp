@@ -9,14 +9,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kLink =
+const std::string kArmLink =
     "<link name=\"arm\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
     "izz=\"1\"/></inertial><visual><geometry><sphere radius=\"0.1\"/></geometry></visual></link>";
-const std::string kUrdf =
-    "<robot name=\"r\"><link name=\"base\"/>" + kLink +
+const std::string kArmUrdf =
+    "<robot name=\"r\"><link name=\"base\"/>" + kArmLink +
     "<joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"arm\"/></joint></robot>";
-const std::string kRobot = "import \"part.kindsl\"\nRobot r { RobotBase base { children { Limb l } } }\n";
-const std::string kPart =
+const std::string kRobotWithPart = "import \"part.kindsl\"\nRobot r { RobotBase base { children { Limb l } } }\n";
+const std::string kLimbPart =
     "Part Limb { root arm via j link arm { inertia_params { mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix = 1.0 Iy = 1.0 "
     "Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} } "
     "r_joint j { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } }\n";
@@ -27,9 +27,9 @@ class Outputs : public testing::Test {
   const Scratch scratch_{"outputs"};
 
   void SetUp() override {
-    put("arm.urdf", kUrdf);
-    put("robot.kindsl", kRobot);
-    put("part.kindsl", kPart);
+    put("arm.urdf", kArmUrdf);
+    put("robot.kindsl", kRobotWithPart);
+    put("part.kindsl", kLimbPart);
     put("list.dtdsl", "Robot r Frames { fr_base, fr_l_arm } Transforms { fr_base <- fr_l_arm }\n");
     put("m.motdsl", "Model m Convention = local a -> b : rotx(q)\n");
     put("m.dtdsl", "Model m Frames { a, b } Transforms { a <- b }\n");
@@ -53,14 +53,14 @@ class Outputs : public testing::Test {
   }
 };
 
-struct Row {
+struct OutputRow {
   const char* command;    // OUT is the output
   const char* input;      // the file that OUT is
   const char* extension;  // of OUT
 };
 
 // Options that name an output, and each kind of file that is read.
-const Row kRows[] = {
+const OutputRow kOutputRows[] = {
     {"convert arm.urdf OUT", "arm.urdf", ".urdf"},
     {"convert arm.urdf OUT", "arm.urdf", ".kindsl"},
     {"convert robot.kindsl OUT", "part.kindsl", ".urdf"},
@@ -81,7 +81,7 @@ const Row kRows[] = {
 };
 
 TEST_F(Outputs, AreNeverInputs) {
-  for (const Row& row : kRows)
+  for (const OutputRow& row : kOutputRows)
     for (const std::string kind : {"soft", "hard", "behind a folder"}) {
       const std::string before = get(row.input);
       fs::path out = scratch_.path / ("output" + std::string(row.extension));
@@ -108,15 +108,15 @@ TEST_F(Outputs, AreNeverInputs) {
 TEST_F(Outputs, OfGenerateAreNeverInputs) {
   const std::string options = " --effort 0 --algorithms energy -o out --name r ";
   fs::create_directories(scratch_.path / "out" / "r");
-  put("out/r/r.h", kUrdf);
+  put("out/r/r.h", kArmUrdf);
   expect_refused(run("generate out/r/r.h" + options), "generate out/r/r.h");
-  EXPECT_EQ(get("out/r/r.h"), kUrdf);
-  put("out/model.urdf", kUrdf);
+  EXPECT_EQ(get("out/r/r.h"), kArmUrdf);
+  put("out/model.urdf", kArmUrdf);
   fs::create_directories(scratch_.path / "out" / "matlab");
   put("out/matlab/r.files", "model.urdf\n");
   const Outcome kept = run("generate out/model.urdf --language matlab" + options);
   EXPECT_EQ(kept.status, 0) << kept.errors;
-  EXPECT_EQ(get("out/model.urdf"), kUrdf);
+  EXPECT_EQ(get("out/model.urdf"), kArmUrdf);
 }
 
 TEST_F(Outputs, OnStandardOutputAreNeverInputs) {
@@ -143,7 +143,7 @@ TEST_F(Outputs, OnStandardOutputAreNeverInputs) {
   expect_refused(run("eval arm.urdf gravity_forces", "< states.json >> states.json"), "eval");
   EXPECT_EQ(get("states.json"), states);
   expect_refused(run("convert - arm.urdf", "< arm.urdf"), "convert -");
-  EXPECT_EQ(get("arm.urdf"), kUrdf);
+  EXPECT_EQ(get("arm.urdf"), kArmUrdf);
 }
 
 TEST_F(Outputs, OfOneCommandAreDifferentFiles) {
