@@ -22,7 +22,7 @@ void require_different(const std::vector<fs::path>& outputs) {
   std::map<fs::path, const fs::path*> known;
   for (const fs::path& output : outputs) {
     std::error_code fault;
-    const fs::path place = fs::weakly_canonical(output, fault);
+    const fs::path place = fs::weakly_canonical(fs::absolute(output, fault), fault);
     const auto [earlier, is_new] = known.emplace(fault ? output : place, &output);
     if (is_new || !(fs::is_regular_file(output, fault) || !fs::exists(output, fault))) continue;
     throw Failure{

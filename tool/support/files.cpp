@@ -180,7 +180,7 @@ std::optional<Overlap> overlap(const std::vector<fs::path>& outputs, const std::
   for (const fs::path& output : outputs) {
     // A folder of the path may not exist yet; then `..` behind it leads nowhere until the folder is made.
     std::error_code fault;
-    fs::path place = output == "-" ? output : fs::weakly_canonical(output, fault);
+    fs::path place = output == "-" ? output : fs::weakly_canonical(fs::absolute(output, fault), fault);
     if (fault) place = output;
     fs::path temporary = place;
     temporary += kTemporary;

@@ -15,7 +15,7 @@ const std::string kArmLink =
 const std::string kArmUrdf =
     "<robot name=\"r\"><link name=\"base\"/>" + kArmLink +
     "<joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"arm\"/></joint></robot>";
-const std::string kRobotWithPart = "import \"part.kindsl\"\nRobot r { RobotBase base { children { Limb l } } }\n";
+const std::string kRobotWithPart = "import \"part.kindsl\"\nRobot r { RobotBase base { children { Limb l() } } }\n";
 const std::string kLimbPart =
     "Part Limb { root arm via j link arm { inertia_params { mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix = 1.0 Iy = 1.0 "
     "Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} } "
