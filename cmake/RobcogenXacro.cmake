@@ -22,12 +22,27 @@ and source its setup.bash) or set ROBCOGEN_XACRO to its path")
   endif()
 endfunction()
 
+# Sets `result` to the folder of the expanded file: OUTPUT_DIR below the build folder, and otherwise the default OUTPUT_DIR.
+# Folders of sources may contain a file of this name that is not a result of the build.
+function(_robcogen_folder_of_expansion result)
+  set(folder ${library_OUTPUT_DIR})
+  file(REAL_PATH "${folder}" real)
+  file(REAL_PATH "${CMAKE_BINARY_DIR}" build)
+  file(REAL_PATH "${CMAKE_SOURCE_DIR}" source)
+  cmake_path(IS_PREFIX build "${real}" NORMALIZE is_below_build)
+  if(NOT is_below_build OR build STREQUAL source)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/robcogen.gen/${library_TARGET})
+  endif()
+  set(${result} ${folder} PARENT_SCOPE)
+endfunction()
+
 # Adds the rule that expands library_MODEL, and sets library_MODEL to the result.
 function(_robcogen_expand_xacro)
   _robcogen_require_xacro()
   cmake_path(GET library_MODEL STEM LAST_ONLY stem)
   string(REGEX REPLACE "\\.urdf$" "" stem "${stem}")
-  set(expanded ${library_OUTPUT_DIR}/${stem}.urdf)
+  _robcogen_folder_of_expansion(folder)
+  set(expanded ${folder}/${stem}.urdf)
   cmake_path(GET library_MODEL FILENAME document)
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/RobcogenExpandXacro.cmake)
   add_custom_command(

@@ -94,7 +94,7 @@ inline std::vector<NamedRobot> constant_robots() {
            std::any_of(tree.joints.begin(), tree.joints.end(), is_helical) || !tree.closures.empty() ||
            !std::all_of(
                tree.loops.begin(), tree.loops.end(),
-               [&](const model::LoopJoint& loop) { return exporting::may_be_urdf_loop(tree, loop); }) ||
+               [&](const model::LoopJoint& loop) { return exporting::may_be_urdf_loop(loop); }) ||
            !std::all_of(tree.couplings.begin(), tree.couplings.end(), [&](const model::Coupling& coupling) {
              return exporting::has_urdf_form(tree, coupling);
            });

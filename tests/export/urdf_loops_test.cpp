@@ -82,6 +82,38 @@ TEST_P(UrdfLoops, AreReadBack) {
 
 INSTANTIATE_TEST_SUITE_P(, UrdfLoops, testing::Values("five_bar", "four_bar_leg", "palletiser"));
 
+// Bars that are drawn on one line: joints keep the positions in which the loop is assembled.
+TEST(UrdfLoopsOnOneLine, KeepTheirAssembly) {
+  const std::string inertia =
+      "inertia_params { mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix = 0.02 Iy = 0.03 Iz = 0.03 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 "
+      "} ";
+  const auto joint = [](const std::string& name, const std::string& x, const std::string& assembled) {
+    return "r_joint " + name + " { ref_frame { translation = (" + x + ", 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } " +
+           assembled + " } ";
+  };
+  for (const double side : {1.0, -1.0}) {
+    const std::string position = "assembled = " + std::to_string(0.9 * side);
+    const KinematicTree tree = numeric::tree_of_text(
+        "Robot FourBar { RobotBase base { children { crank via a rocker via c } } link crank { id = 1 " + inertia +
+        "children { rod via b } } link rod { id = 2 " + inertia +
+        "children {} frames { end { translation = (0.4, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } link rocker { id = "
+        "3 " +
+        inertia + "children {} frames { pin { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } " +
+        joint("a", "0.0", "") + joint("b", "0.2", position) + joint("c", "0.8", "") +
+        "loops { bar { frames = end ~ pin type = hinge } } independent { a } }");
+    ASSERT_TRUE(exporting::may_be_urdf_loop(tree.loops.front()));
+    const KinematicTree back = through_urdf(tree);
+    // With the crank on the line, the sides are 0.6, 0.4 and 0.5: the angle at b by the law of cosines.
+    const double expected = side * std::acos((0.36 + 0.16 - 0.25) / (2 * 0.6 * 0.4));
+    for (const KinematicTree* one : {&tree, &back}) {
+      const model::Coupling* coupling = one->coupling_of(*one->find_joint("b"));
+      ASSERT_NE(coupling, nullptr);
+      EXPECT_NEAR(model::evaluate(coupling->offset), expected, 1e-9);
+    }
+    expect_same_motion(back, tree);
+  }
+}
+
 // A belt along the upper arm: the second rotor turns by the sum of both joints.
 TEST(UrdfCouplings, AreSumsAlongPaths) {
   const std::string at = " { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } } ";

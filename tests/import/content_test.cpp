@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <locale>
+#include <set>
 
+#include "import/identifier.h"
 #include "reading.h"
 
 namespace robcogen {
@@ -314,9 +316,50 @@ TEST(Urdf, NamesBecomeIdentifiers) {
       link("2nd base", "") + link("löwer/arm") + joint("löwer/arm", "revolute", "2nd base", "löwer/arm", kAboutZ)));
   ASSERT_TRUE(result.tree) << result.diagnostics.render();
   EXPECT_EQ(result.tree->links[0].name, "_2nd_base");
-  EXPECT_EQ(result.tree->links[1].name, "l_wer_arm");
-  EXPECT_EQ(result.tree->joints[0].name, "l_wer_arm_joint");
+  EXPECT_EQ(result.tree->links[1].name, "lu00F6wer_arm");
+  EXPECT_EQ(result.tree->joints[0].name, "lu00F6wer_arm_joint");
   EXPECT_EQ(result.of_code("joint-renamed").size(), 1u);
+}
+
+TEST(Urdf, NamesBeyondAsciiStayDistinct) {
+  EXPECT_EQ(import::identifier("左"), "u5DE6");
+  EXPECT_EQ(import::identifier("右"), "u53F3");
+  EXPECT_EQ(import::identifier("é-🦿"), "u00E9_u1F9BF");
+  EXPECT_EQ(import::identifier("4左"), "_4u5DE6");
+  EXPECT_EQ(import::identifier("a\xE5\xB7"), "a__");     // cut short
+  EXPECT_EQ(import::identifier("\xC0\xAF\xFF"), "___");  // not UTF-8
+  const auto result = test::imported(robot(
+      link("base", "") + link("左") + link("右") + joint("左関節", "revolute", "base", "左", kAboutZ) +
+      joint("右関節", "revolute", "base", "右", kAboutZ)));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  EXPECT_EQ(result.tree->links[1].name, "u5DE6");
+  EXPECT_EQ(result.tree->links[2].name, "u53F3");
+  EXPECT_EQ(result.of_code("names-changed").size(), 1u);
+}
+
+// Every frame of the document has a name of its own by which it is found.
+TEST(Urdf, FramesThatHaveNamesOfTheModelStayReachable) {
+  const auto result = test::imported(robot(
+      link("base", "") + link("hip") + link("fr_hip") + link("fr_hip_frame") + link("fr_knee") +
+      joint("a", "revolute", "base", "hip", kAboutZ) +
+      joint("m", "fixed", "hip", "fr_hip", R"(<origin xyz="1 2 3"/>)") +
+      joint("n", "fixed", "hip", "fr_hip_frame", R"(<origin xyz="4 5 6"/>)") +
+      joint("knee", "revolute", "hip", "fr_knee", R"(<origin xyz="7 8 9"/>)" + std::string(kAboutZ))));
+  ASSERT_TRUE(result.tree) << result.diagnostics.render();
+  const KinematicTree& tree = *result.tree;
+  EXPECT_EQ(result.of_code("frame-renamed").size(), 2u);
+  EXPECT_EQ(result.of_code("frame-hidden").size(), 0u);
+  std::set<std::string> names;
+  for (const model::Frame& frame : tree.frames()) {
+    EXPECT_TRUE(names.insert(frame.name).second) << frame.name;
+    const auto found = tree.find_frame(frame.name);
+    ASSERT_TRUE(found) << frame.name;
+    EXPECT_EQ(found->kind, frame.kind);
+    EXPECT_EQ(found->index, frame.index);
+  }
+  EXPECT_EQ(text(frame(tree, "fr_hip_frame_2").placement), "1.0 2.0 3.0, 0.0 0.0 0.0");
+  EXPECT_EQ(text(frame(tree, "fr_hip_frame").placement), "4.0 5.0 6.0, 0.0 0.0 0.0");
+  EXPECT_EQ(frame(tree, "fr_knee_frame").link, 2);
 }
 
 TEST(Urdf, LinkWithAnInertialOfZerosIsMassless) {

@@ -13,10 +13,11 @@ set(build_dir "${work_dir}/build")
 set(log "${work_dir}/log")
 set(ENV{ROBCOGEN_TEST_LOG} "${log}")
 
+set(output_dir generated)
 function(configure length)
   run(output ${CMAKE_COMMAND} -G ${GENERATOR} -S ${consumer_dir} -B "${build_dir}" -DROBCOGEN_HOST_TOOL=${TOOL}
       -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DVERSION=${VERSION} "-DROBCOGEN_XACRO=${work_dir}/xacro"
-      "-DMODEL_DIR=${model_dir}" -DLENGTH=${length})
+      "-DMODEL_DIR=${model_dir}" -DLENGTH=${length} "-DOUTPUT_DIR=${output_dir}")
 endfunction()
 
 # Builds and compares the number of xacro runs.
@@ -73,3 +74,25 @@ expect_in_urdf("xyz=\"0.5 0 0\"")
 edit(lower.xacro "<link name=\"lower\">" "<link name=\"lower\"")
 run_failing(output ${CMAKE_COMMAND} --build "${build_dir}")
 expect_words("a wrong file" "${output}" "[not-xml]")
+edit(lower.xacro "<link name=\"lower\"" "<link name=\"lower\">")
+
+# Beside the sources there is a file with the name of the expanded one, which must remain.
+file(WRITE "${model_dir}/arm.urdf" "not a result")
+set(output_dir "${model_dir}")
+configure(0.5)
+expect_build("output beside the sources" 1)
+file(READ "${model_dir}/arm.urdf" kept)
+expect_equal("${GENERATOR}: the file beside the sources" "${kept}" "not a result")
+
+# The script alone refuses to replace what xacro reads, and does not follow links to it.
+set(expand ${CMAKE_COMMAND} -D "XACRO=${work_dir}/xacro" -D "MODEL=${model_dir}/arm.urdf.xacro")
+set(script -P ${SOURCE_DIR}/cmake/RobcogenExpandXacro.cmake --)
+file(READ "${model_dir}/lower.xacro" lower)
+foreach(output arm.urdf.xacro lower.xacro)
+  run_failing(message ${expand} -D "OUTPUT=${model_dir}/${output}" ${script})
+  expect_words("${output} as output" "${message}" "the output would replace the input")
+endforeach()
+file(CREATE_LINK "${model_dir}/lower.xacro" "${work_dir}/hard.urdf")
+run(message ${expand} -D "OUTPUT=${work_dir}/hard.urdf" ${script})
+file(READ "${model_dir}/lower.xacro" kept)
+expect_equal("${GENERATOR}: the included file" "${kept}" "${lower}")

@@ -31,8 +31,15 @@ async function load(name) {
   const module = await import(pathToFileURL(join(folder, "javascript", `${name}.mjs`)).href);
   const base = module.model.frames[0].name;
   const frames = module.model.links.map((link, l) => ({ kind: "link", name: `fr_${link.name}`, index: l, link: l }));
-  const functions = Object.fromEntries(frames.slice(1).map((f) => [f.name, `${base}_X_${f.name}`]));
-  return makeRobot(module, { frames, functions, warnings: [] });
+  const poseOf = ({ name }, given) =>
+    name === base
+      ? [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]
+      : module.transforms.homogeneous[`${base}_X_${name}`](...given);
+  const frame_poses = (...given) => {
+    const poses = frames.map((frame) => poseOf(frame, given));
+    return Array.from({ length: 12 }, (_, k) => poses.map((pose) => pose[k % 3][Math.floor(k / 3)]));
+  };
+  return makeRobot({ ...module, frame_poses }, { frames, warnings: [] });
 }
 
 const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a} instead of ${b}`);

@@ -19,7 +19,7 @@ namespace {
 
 std::string drawn(const std::string& name, bool with_pattern) {
   const driver::Model model = load_robot(name);
-  const view::ViewedRobot robot = view::viewed(model);
+  const view::ViewedRobot robot = view::viewed(model, view::Purpose::drawing);
   const view::Pattern pattern = view::inertia_pattern(model);
   return view::draw(
       robot, view::posture(robot, some_positions(robot), declared_parameters(robot)),
@@ -66,7 +66,7 @@ TEST_P(Drawing, StaysOnThePaper) {
 
 // Every joint has a hub, every link with mass has a centre, and the whole robot has one.
 TEST_P(Drawing, HasEveryJointAndMass) {
-  const view::ViewedRobot robot = view::viewed(load_robot(GetParam()));
+  const view::ViewedRobot robot = view::viewed(load_robot(GetParam()), view::Purpose::drawing);
   const std::string text = drawn(GetParam(), false);
   const auto hubs = matches(text, "<circle [^>]*class=\"(hub|sledge|ball)\"");
   EXPECT_EQ(hubs.size(), robot.library.all_joints().size() - 2 * robot.library.quaternions().size());
@@ -146,7 +146,7 @@ TEST(DrawingLabels, HideNoOther) {
 // tool/view/README.md shows this drawing. If ROBCOGEN_UPDATE_DOCUMENTS is set in the environment, it is written again.
 TEST(DrawingOfTheGuide, IsThatOfTheRobot) {
   const driver::Model model = load_robot("quadruped");
-  const view::ViewedRobot robot = view::viewed(model);
+  const view::ViewedRobot robot = view::viewed(model, view::Purpose::drawing);
   const view::Pattern pattern = view::inertia_pattern(model);
   std::vector<double> q;
   for (int leg = 0; leg < 4; ++leg) q.insert(q.end(), {-0.1, leg < 2 ? 0.6 : -0.6, leg < 2 ? -1.2 : 1.2});

@@ -93,7 +93,7 @@ async function checkSliders(page) {
 
 async function checkPoses(page, model, given, data) {
   const base = data.frames[0].name, all = await poses(page);
-  const shown = data.frames.filter((f) => data.functions[f.name]);
+  const shown = data.frames.slice(1);
   const step = Math.max(1, Math.floor(shown.length / kFrames));
   for (let k = shown.length - 1; k >= 0; k -= step) {
     const { name } = shown[k];

@@ -1,6 +1,8 @@
 // Where the parts of a robot are drawn, compared with matrix products.
 #include <gtest/gtest.h>
 
+#include "algorithm/kinematics/frame_poses.h"
+#include "import/kinematics.h"
 #include "robcogen/reference/kinematics.h"
 #include "robots.h"
 #include "symbolic/interpret.h"
@@ -92,7 +94,7 @@ void place(
 class Posture : public testing::TestWithParam<std::string> {};
 
 TEST_P(Posture, IsThatOfProductsOfMatrices) {
-  const view::ViewedRobot robot = view::viewed(load_robot(GetParam()));
+  const view::ViewedRobot robot = view::viewed(load_robot(GetParam()), view::Purpose::drawing);
   const std::vector<double> q = some_positions(robot);
   const view::Posture posture = view::posture(robot, q, declared_parameters(robot));
   const backend::Library& library = robot.library;
@@ -127,9 +129,28 @@ TEST_P(Posture, IsThatOfProductsOfMatrices) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Posture, testing::ValuesIn(kRobots), [](const auto& robot) { return robot.param; });
 
+// Each link is placed once. The programs of single transforms grow with the square of the length.
+TEST(FramePoses, GrowLinearlyWithTheLengthOfAChain) {
+  const auto size = [](int joints) {
+    std::string text = "Robot Chain { RobotBase l0 { children { l1 via j1 } } ";
+    for (int k = 1; k <= joints; ++k) {
+      const std::string n = std::to_string(k), next = std::to_string(k + 1);
+      text += "link l" + n + " { id = " + n + " children {" + (k < joints ? " l" + next + " via j" + next + " " : "") +
+              "} } r_joint j" + n + " { ref_frame { translation = (0.1, 0.02, 0.0) rotation = (0.3, 0.4, 0.0) } } ";
+    }
+    Diagnostics diagnostics;
+    const auto source = std::make_shared<const Source>("chain.kindsl", text + "}");
+    const auto tree = import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics);
+    if (!tree) throw std::runtime_error(diagnostics.render());
+    return algorithm::frame_poses(*tree, "frame_poses").statements.size();
+  };
+  const std::size_t first = size(20), second = size(40), third = size(80);
+  EXPECT_LE(third - second, 2 * (second - first) + 20);
+}
+
 // A robot with parameters is drawn with the given values, not with those of the document.
 TEST(PostureWithParameters, FollowsThem) {
-  const view::ViewedRobot robot = view::viewed(load_robot("hyl_parametric"));
+  const view::ViewedRobot robot = view::viewed(load_robot("hyl_parametric"), view::Purpose::drawing);
   std::vector<double> parameters = declared_parameters(robot);
   const auto at = [&](const std::string& name) {
     const auto& list = robot.library.parameters;
@@ -148,7 +169,7 @@ TEST(PostureWithParameters, FollowsThem) {
 
 // The loop closes at the positions that the sliders give.
 TEST(PostureOfLoops, ClosesThem) {
-  const view::ViewedRobot robot = view::viewed(load_robot("five_bar"));
+  const view::ViewedRobot robot = view::viewed(load_robot("five_bar"), view::Purpose::drawing);
   ASSERT_EQ(robot.loops.size(), 1U);
   EXPECT_EQ(robot.loops[0].name, "tip");
   EXPECT_EQ(robot.frames[robot.loops[0].frames[0]].name, "tool");

@@ -5,6 +5,7 @@
 
 #include "command/model_options.h"
 #include "command/output.h"
+#include "command/output_files.h"
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
@@ -14,7 +15,6 @@
 #include "export/urdf_loops.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
-#include "support/files.h"
 
 namespace robcogen::command {
 namespace {
@@ -77,13 +77,13 @@ void require_no_loops(const driver::Model& model, const Robot& robot, std::strin
 // Fails if URDF+ cannot express a loop.
 void require_hinges(const driver::Model& model, const Robot& robot) {
   for (const model::LoopJoint& loop : robot.tree.loops) {
-    if (exporting::may_be_urdf_loop(robot.tree, loop)) continue;
+    if (exporting::may_be_urdf_loop(loop)) continue;
     const std::string owner = fmt::format("loop '{}' of robot '{}'", loop.name, robot.tree.name);
     const std::string message =
         loop.type == model::LoopType::hinge
             ? fmt::format(
-                  "URDF+ cannot express that {} is not assembled where it is drawn [loop-lost]\nhint: turn the "
-                  "placements of its joints to where it is assembled",
+                  "URDF+ cannot express that {} is assembled on the other branch [loop-lost]\nhint: turn the "
+                  "placements of its joints to where it is assembled, or give them 'assembled' positions near it",
                   owner)
             : fmt::format(
                   "URDF+ has only hinges, but {} is of type {} [loop-lost]", owner,
@@ -250,48 +250,60 @@ driver::LoadOptions load_options(const ConvertOptions& options) {
   return result;
 }
 
-std::optional<std::string> convert_robot(const ConvertOptions& options, Diagnostics& diagnostics) {
-  const std::optional<driver::Model> model = driver::load(options.from, load_options(options), diagnostics);
-  if (!model) return std::nullopt;
-  const Robot& robot = *model->robot();
+std::string text_of_robot(const ConvertOptions& options, const driver::Model& model, Diagnostics& diagnostics) {
+  const Robot& robot = *model.robot();
   switch (language_to_write(options.to)) {
     case Language::robot:
       mention_passive_forces(robot, diagnostics);
-      mention_order(model->file, robot, diagnostics);
+      mention_order(model.file, robot, diagnostics);
       return robot_document(options, robot);
     case Language::urdf: {
-      require_values(*model, robot);
-      require_hinges(*model, robot);
-      require_couplings(*model, robot);
-      require_urdf_types(*model, robot);
+      require_values(model, robot);
+      require_hinges(model, robot);
+      require_couplings(model, robot);
+      require_urdf_types(model, robot);
       mention_urdf_plus(robot, diagnostics);
       mention_lost_drives(robot, diagnostics);
       mention_lost_actuators(robot, diagnostics);
       std::string text = exporting::urdf(robot.tree);
-      mention_implausible(text, model->file, diagnostics);
+      mention_implausible(text, model.file, diagnostics);
       return text;
     }
     case Language::motions:
-      require_no_loops(*model, robot, "documents of motions have no loops");
+      require_no_loops(model, robot, "documents of motions have no loops");
       refuse_spherical_joints(robot.tree, "documents of motions have no spherical joints");
       return motion_document(options, model::motions_over_coordinates(robot.tree));
     default:
       break;
   }
-  require_no_loops(*model, robot, "documents of transforms have no loops");
+  require_no_loops(model, robot, "documents of transforms have no loops");
   refuse_spherical_joints(robot.tree, "documents of transforms have no spherical joints");
   std::vector<model::FrameNames> pairs;
   for (const model::FramePair& pair : robot.desired.transforms) pairs.emplace_back(pair.left.name, pair.right.name);
   return transforms_document(options, model::motions_over_coordinates(robot.tree), pairs);
 }
 
-std::optional<std::string> convert_motions(const ConvertOptions& options, Diagnostics& diagnostics) {
+// The text to write, and the files that were read for it.
+struct Converted {
+  std::string text;
+  std::vector<fs::path> read;
+};
+
+std::optional<Converted> convert_robot(const ConvertOptions& options, Diagnostics& diagnostics) {
+  const std::optional<driver::Model> model = driver::load(options.from, load_options(options), diagnostics);
+  if (!model) return std::nullopt;
+  return Converted{text_of_robot(options, *model, diagnostics), model->read};
+}
+
+std::optional<Converted> convert_motions(const ConvertOptions& options, Diagnostics& diagnostics) {
   const std::optional<model::RigidMotions> motions = driver::load_motions_of(options.from, diagnostics);
   if (!motions) return std::nullopt;
   const auto pairs = driver::load_pairs(*motions, load_options(options), diagnostics);
   if (options.strict) driver::promote_strict_warnings(diagnostics);
   if (!pairs || diagnostics.has_errors()) return std::nullopt;
-  return transforms_document(options, *motions, *pairs);
+  std::vector<fs::path> read = {options.from};
+  if (!options.desired.empty()) read.emplace_back(options.desired);
+  return Converted{transforms_document(options, *motions, *pairs), std::move(read)};
 }
 
 }  // namespace
@@ -300,16 +312,12 @@ Status convert(const ConvertOptions& options) {
   require_conversion(options);
   report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
-  const std::optional<std::string> text = is_robot(driver::language_of(options.from))
-                                              ? convert_robot(options, diagnostics)
-                                              : convert_motions(options, diagnostics);
+  const std::optional<Converted> converted = is_robot(driver::language_of(options.from))
+                                                 ? convert_robot(options, diagnostics)
+                                                 : convert_motions(options, diagnostics);
   report(diagnostics.render(options.error_format));
-  if (!text) return wrong_input;
-  const fs::path to = options.to;
-  const fs::path folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
-  std::string error;
-  if (!write_files_if_changed(folder, {{to.filename(), *text}}, error))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  if (!converted) return wrong_input;
+  write_file(options.to, converted->text, converted->read);
   return ok;
 }
 

@@ -6,6 +6,7 @@
 
 #include "command/functions.h"
 #include "command/output.h"
+#include "command/output_files.h"
 #include "command/subcommands.h"
 #include "symbolic/interpret.h"
 
@@ -75,12 +76,14 @@ Status eval(const EvalOptions& options) {
   const ModelOptions& model = options.model;
   if (model.file == "-" || model.desired == "-")
     throw Failure{wrong_usage, "robcogen: error: eval reads states from standard input: the model must be a file"};
+  require_apart_from_output({"-", model.file, model.desired});
   // A function with the name of its group counts as named: loading reports why the robot cannot have it.
   const std::vector<std::string>& groups = algorithm::groups();
   const bool is_group = std::find(groups.begin(), groups.end(), options.function) != groups.end();
   const std::optional<driver::Model> loaded =
       model.load(is_group ? std::vector<std::string>{options.function} : std::vector<std::string>());
   if (!loaded) return wrong_input;
+  require_apart_from_output(loaded->read);
   return evaluate_states(find_function(*loaded, options.function, model.steps));
 }
 

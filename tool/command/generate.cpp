@@ -10,11 +10,11 @@
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "command/output.h"
+#include "command/output_files.h"
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/derivatives.h"
 #include "driver/documents.h"
-#include "support/files.h"
 
 namespace robcogen::command {
 namespace {
@@ -116,12 +116,14 @@ Listed list_files(const GenerateOptions& options, const std::string& folder, con
   return listed;
 }
 
-void remove_stale(const GenerateOptions& options, const Listed& listed) {
+// Files that were read are kept, whatever the list says.
+void remove_stale(const GenerateOptions& options, const Listed& listed, const std::vector<fs::path>& read) {
   for (const std::string& file : listed.made_before) {
     const fs::path path(file);
     const bool is_below = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
     std::error_code ignored;
-    if (is_below && !contains(listed.files, file)) fs::remove(fs::path(options.output) / path, ignored);
+    const fs::path stale = fs::path(options.output) / path;
+    if (is_below && !contains(listed.files, file) && !overlap({stale}, read)) fs::remove(stale, ignored);
   }
 }
 
@@ -156,10 +158,11 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
     for (OutputFile& file : printed) files.push_back({fs::path(language->name) / file.path, std::move(file.text)});
     files.push_back({listed.list, fmt::format("{}\n", fmt::join(listed.files, "\n"))});
   }
-  std::string error;
-  if (!write_files_if_changed(options.output, files, error))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
-  for (const Listed& listed : lists) remove_stale(options, listed);
+  std::vector<fs::path> others;
+  for (const std::string& other : {options.depfile, options.stamp})
+    if (!other.empty()) others.emplace_back(other);
+  write_files(options.output, files, model.read, others);
+  for (const Listed& listed : lists) remove_stale(options, listed, model.read);
   if (!options.depfile.empty()) {
     const std::string target = options.depfile_target.empty() ? options.stamp : options.depfile_target;
     std::vector<fs::path> inputs;
@@ -244,7 +247,10 @@ Status generate(GenerateOptions options) {
   }
   check_names(options.names);
   require_languages(options);
-  if (options.list_outputs) return list_outputs(options);
+  if (options.list_outputs) {
+    require_apart_from_output({file});
+    return list_outputs(options);
+  }
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};
   if (is_transforms(options)) require_options_of_transforms(options);

@@ -113,7 +113,7 @@ std::optional<Programs> ModelOptions::load_programs(
   const std::optional<driver::Model> model = load(groups);
   if (!model) return std::nullopt;
   driver::Functions functions = driver::programs(*model, ordered_groups(groups), steps, features);
-  Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}};
+  Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}, model->read};
   for (driver::Function& f : functions.list)
     programs.list.push_back(
         {dotted(f.traced.scope, f.traced.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.traced.program),

@@ -27,6 +27,7 @@ struct Programs {
   std::string model;  // its name
   std::string about;  // `3 joints, fixed base; …`
   std::vector<NamedProgram> list;
+  std::vector<std::filesystem::path> read = {};  // files
 };
 
 struct ModelOptions {

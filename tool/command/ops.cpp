@@ -4,6 +4,7 @@
 #include <set>
 
 #include "command/output.h"
+#include "command/output_files.h"
 #include "command/subcommands.h"
 #include "symbolic/count.h"
 
@@ -67,9 +68,11 @@ void print_json(const Programs& programs, const std::vector<Row>& table) {
 }  // namespace
 
 Status ops(const OpsOptions& options) {
+  require_apart_from_output({options.model.file, options.model.desired});
   const std::optional<Programs> programs =
       options.model.load_programs(options.groups, {.caches_parameters = true, .has_lanes = options.has_lanes});
   if (!programs) return wrong_input;
+  require_apart_from_output(programs->read);
   const std::vector<Row> table = rows(*programs);
   options.json ? print_json(*programs, table) : print_table(*programs, table);
   return ok;

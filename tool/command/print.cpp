@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "command/output.h"
+#include "command/output_files.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "language/desired/document.h"
@@ -17,7 +18,9 @@ language::kinematics::Document robot_document(const PrintOptions& options, Diagn
   report_missing_folders(options.model.import_folders, options.model.error_format);
   std::optional<import::RobotDocument> read =
       driver::load_robot_document(options.model.file, {.import_folders = options.model.import_folders}, diagnostics);
-  return read ? std::move(read->document) : language::kinematics::Document();
+  if (!read) return {};
+  require_apart_from_output(read->imported);
+  return std::move(read->document);
 }
 
 std::string canonical_robot(const PrintOptions& options, Diagnostics& diagnostics) {
@@ -64,6 +67,7 @@ Status print_document(const PrintOptions& options) {
 Status print_program(const PrintOptions& options) {
   const std::optional<Programs> programs = options.model.load_programs();
   if (!programs) return wrong_input;
+  require_apart_from_output(programs->read);
   std::vector<std::string> kernels;
   for (const NamedProgram& f : programs->list) {
     if (f.program.name == options.program) {
@@ -81,6 +85,7 @@ Status print_program(const PrintOptions& options) {
 }  // namespace
 
 Status print(const PrintOptions& options) {
+  require_apart_from_output({options.model.file, options.model.desired});
   return options.program.empty() ? print_document(options) : print_program(options);
 }
 

@@ -6,11 +6,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "command/output.h"
+#include "command/output_files.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "model/closed_positions.h"
-#include "support/files.h"
 #include "view/drawing.h"
 #include "view/page.h"
 
@@ -134,17 +133,13 @@ void require_robot(const ViewOptions& options, const std::string& command, const
 }
 
 Status write(const ViewOptions& options, const driver::Model& model, const std::string& text) {
-  const fs::path file = options.output;
-  std::string error;
-  if (!write_files_if_changed(file.has_parent_path() ? file.parent_path() : ".", {{file.filename(), text}}, error))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
-  if (options.depfile.empty()) return ok;
-  std::vector<fs::path> inputs;
-  for (const fs::path& read : model.read) inputs.push_back(fs::absolute(read));
-  if (!write_files_if_changed(
-          fs::path(options.depfile).has_parent_path() ? fs::path(options.depfile).parent_path() : ".",
-          {{fs::path(options.depfile).filename(), dependency_file(file, inputs)}}, error))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  std::vector<OutputFile> files = {{options.output, text}};
+  if (!options.depfile.empty()) {
+    std::vector<fs::path> inputs;
+    for (const fs::path& read : model.read) inputs.push_back(fs::absolute(read));
+    files.push_back({options.depfile, dependency_file(options.output, inputs)});
+  }
+  write_files("", files, model.read);
   return ok;
 }
 
@@ -154,7 +149,7 @@ Status draw(const ViewOptions& options) {
   require_robot(options, "draw", {".svg"});
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = view::viewed(*model, view::Purpose::drawing);
   view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
   view::Pattern pattern;
   if (options.pattern) {
@@ -171,7 +166,7 @@ Status view(const ViewOptions& options) {
   Diagnostics diagnostics;
   const std::optional<driver::Model> model = options.model.load({}, diagnostics);
   if (!model) return wrong_input;
-  const view::ViewedRobot robot = view::viewed(*model);
+  const view::ViewedRobot robot = view::viewed(*model, view::Purpose::page);
   const view::PageOptions page = {positions(options, robot, model->robot()->tree), parameters(options, robot)};
   return write(options, *model, view::page(*model, robot, diagnostics, page));
 }

@@ -240,6 +240,11 @@ std::string followers_attribute(const KinematicTree& tree, int joint) {
   return coupling != nullptr && !is_mimic(tree, *coupling) ? " independent=\"false\"" : "";
 }
 
+// The position in which loops are assembled. URDF+ does not have this attribute.
+std::string assembled_attribute(const model::Joint& joint) {
+  return joint.assembled ? fmt::format(" assembled=\"{}\"", number(*joint.assembled)) : "";
+}
+
 // A loop of URDF+: the frames of both ends coincide except for their angle about z.
 std::string loop(const KinematicTree& tree, const model::LoopJoint& loop, const std::vector<Pose>& link_X_urdf) {
   std::string text = fmt::format("  <loop name=\"{}\" type=\"continuous\">\n", escaped(loop.name));
@@ -299,7 +304,7 @@ std::string urdf(const KinematicTree& tree) {
     text += joint(
         from.name, type_of(from), pose, tree.links[at(from.parent)].name, tree.links[at(from.child)].name,
         motion(from, joint_axis(child)) + mimic(tree, static_cast<int>(j)),
-        followers_attribute(tree, static_cast<int>(j)));
+        followers_attribute(tree, static_cast<int>(j)) + assembled_attribute(from));
   }
   for (const FrameLink& made : names.frame_links) {
     const int carrier = made.frame->link;

@@ -60,14 +60,8 @@ std::optional<LinkCoupling> link_coupling(const KinematicTree& tree, const Coupl
   return std::nullopt;
 }
 
-bool may_be_urdf_loop(const KinematicTree& tree, const model::LoopJoint& loop) {
-  const auto is_elsewhere = [&](const model::LoopEnd& end) {
-    return std::any_of(end.joints.begin(), end.joints.end(), [&](int joint) {
-      return tree.joints[at(joint)].assembled_position() != 0.0;
-    });
-  };
-  return loop.type == model::LoopType::hinge && !loop.takes_other_branch &&
-         std::none_of(loop.ends.begin(), loop.ends.end(), is_elsewhere);
+bool may_be_urdf_loop(const model::LoopJoint& loop) {
+  return loop.type == model::LoopType::hinge && !loop.takes_other_branch;
 }
 
 bool follows_through_loop(const KinematicTree& tree, int joint) {

@@ -17,8 +17,8 @@ struct LinkCoupling {
 // The coupling of a joint in this form; nullopt if it does not have this form.
 std::optional<LinkCoupling> link_coupling(const model::KinematicTree& tree, const model::Coupling& coupling);
 
-// Whether URDF+ can express this loop: a hinge that is assembled next to where its joints are drawn.
-bool may_be_urdf_loop(const model::KinematicTree& tree, const model::LoopJoint& loop);
+// Whether URDF+ can express this loop: a hinge that is assembled on the drawn branch.
+bool may_be_urdf_loop(const model::LoopJoint& loop);
 
 // Whether the joint follows others through a loop.
 bool follows_through_loop(const model::KinematicTree& tree, int joint);

@@ -29,7 +29,7 @@ class Describer {
   model::Description describe() {
     model::Description description;
     description.name = document_.robot.text;
-    description.may_say_assembled = true;
+    description.assembled_form = model::AssembledForm::item;
     description.place = place(document_.robot.span);
     for (const kinematics::Link& link : document_.links) {
       if (link.is_base) {

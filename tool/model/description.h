@@ -105,6 +105,9 @@ struct DescribedIndependent {
   Place place;
 };
 
+// How the format of the document writes DescribedJoint::assembled: `assembled = 0.5`, `assembled="0.5"`, or not at all.
+enum class AssembledForm { none, item, attribute };
+
 // Like Limb, with names instead of indices.
 struct DescribedLimb {
   struct Element {
@@ -131,7 +134,7 @@ struct Description {
   std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};
-  bool may_say_assembled = false;  // the format can express DescribedJoint::assembled
+  AssembledForm assembled_form = AssembledForm::none;
 };
 
 // Link 0 is the base; the other links follow in declaration order.

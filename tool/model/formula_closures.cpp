@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "model/assemblies.h"
 #include "model/parallelogram.h"
 #include "support/index.h"
 
@@ -286,12 +287,16 @@ std::optional<std::vector<Closure>> formula_closures(LoopContext& context, const
 
 void assemble_by_formula(LoopContext& context, Closure& closure, std::vector<double>& q) {
   const LoopJoint& loop = context.tree.loops[at(closure.loop())];
+  const std::vector<double> start = q;
   const double error = model::close(context.tree, closure, q, context.parameters);
   const LoopPosture now = posture(context.tree, loop, q, context.parameters);
   const double length = evaluate(loop.length, context.parameters);
   if (!(error <= kClosed * size_of(now))) {
     PlaneFault fault = open_loop(loop, gap_of(loop, now, length, error), context.where(joints_of(loop)));
     fault.hint = context.hint_to_close(joints_of(loop));
+    explain_open(
+        context, find_assemblies(context, closure.loops, start, closure.dependents),
+        fmt::format("loop '{}' is", loop.name), context.where(joints_of(loop)), fault);
     context.report(loop, fault);
     return;
   }

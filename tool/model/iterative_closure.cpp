@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "model/assemblies.h"
 #include "model/loop_cluster.h"
 #include "support/index.h"
 
@@ -15,7 +16,7 @@ namespace {
 class IterativeSearch {
  public:
   IterativeSearch(LoopContext& context, const std::vector<int>& loops, std::vector<double>& q)
-      : context_(context), loops_(loops), cluster_(context.tree, loops, context.parameters), q_(q) {}
+      : context_(context), loops_(loops), cluster_(context.tree, loops, context.parameters), start_(q), q_(q) {}
 
   std::optional<Closure> run() {
     const std::vector<int> candidates = in_order_of_preference();
@@ -50,6 +51,7 @@ class IterativeSearch {
   LoopContext& context_;
   const std::vector<int>& loops_;
   LoopCluster cluster_;
+  const std::vector<double> start_;
   std::vector<double>& q_;
 
   bool is_closed(double gap) const { return gap <= kClosed * cluster_.size(q_); }
@@ -83,6 +85,7 @@ class IterativeSearch {
   }
 
   std::nullopt_t report_open(double gap) {
+    const std::string reason = reason_in_space();
     if (std::isinf(gap))
       return report(
           "loop-cannot-close", fmt::format("{} would close {} with frames half a turn apart", subject(), where()),
@@ -91,15 +94,25 @@ class IterativeSearch {
       const LoopPosture now = posture(context_.tree, first(), q_, context_.parameters);
       const double length = evaluate(first().length, context_.parameters);
       PlaneFault fault = open_loop(first(), gap_of(first(), now, length, gap), where());
-      const std::string reason = reason_in_space();
       fault.hint = reason.empty() ? context_.hint_to_close(cluster_.joints()) : reason;
+      explain(fault, reason.empty());
       context_.report(first(), fault);
       return std::nullopt;
     }
-    return report(
+    PlaneFault fault = {
         "loop-cannot-close",
         fmt::format("loops {} do not close {}: they remain open by {:.3g} m", names(), where(), gap),
-        context_.hint_to_close(cluster_.joints()));
+        context_.hint_to_close(cluster_.joints())};
+    explain(fault, true);
+    context_.report(first(), fault);
+    return std::nullopt;
+  }
+
+  // Adds how the loops can be assembled to the report that they are open.
+  void explain(PlaneFault& fault, bool may_be_meant) const {
+    if (!may_be_meant) return;
+    const LoopAssemblies found = find_assemblies(context_, loops_, start_, in_order_of_preference());
+    explain_open(context_, found, subject() + (is_one() ? " is" : " are"), where(), fault);
   }
 
   // Joints without drives come first; within each kind, those declared last come first.

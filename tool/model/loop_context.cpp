@@ -38,19 +38,27 @@ std::string LoopContext::where(const std::vector<int>& joints) const {
   return has_start(joints) ? "at the 'assembled' positions" : "at q = 0";
 }
 
+std::string LoopContext::assembled_text(double position) const {
+  std::string number = fmt::format("{:.3g}", position);
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return assembled_form == AssembledForm::attribute ? fmt::format("assembled=\"{}\"", number)
+                                                    : fmt::format("assembled = {}", number);
+}
+
 std::string LoopContext::hint_to_close(const std::vector<int>& joints) const {
   if (has_start(joints))
     return "independent joints are at their 'assembled' positions, or at zero: check lengths and frames";
   return std::string("loops are assembled with the independent joints at q = 0: check lengths and frames, or ") +
-         (may_say_assembled ? "give joints a position near which the loop closes, such as 'assembled = 0.5'"
-                            : "turn the placement of a joint so that the loop closes");
+         (assembled_form == AssembledForm::none
+              ? "turn the placement of a joint so that the loop closes"
+              : fmt::format("give joints a position near which the loop closes, such as '{}'", assembled_text(0.5)));
 }
 
 std::string LoopContext::hint_to_assemble(const std::vector<int>& joints, const std::string& how) const {
   if (has_start(joints)) return fmt::format("'assembled' must give positions near which {}", how);
   const std::string turned = fmt::format("turn the placement of a joint so that {} at q = 0", how);
-  if (!may_say_assembled) return turned;
-  return turned + fmt::format(", or give joints a position where {}, such as 'assembled = 0.5'", how);
+  if (assembled_form == AssembledForm::none) return turned;
+  return turned + fmt::format(", or give joints a position where {}, such as '{}'", how, assembled_text(0.5));
 }
 
 bool LoopContext::is_free(int joint) const {

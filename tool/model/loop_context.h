@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/description.h"
 #include "model/kinematic_tree.h"
 #include "model/loop_plane.h"
 
@@ -17,7 +18,7 @@ struct LoopContext {
   std::vector<double> parameters;    // default values
   std::set<int> given;               // joints that are part of couplings
   std::map<int, Place> independent;  // joints that are to be independent
-  bool may_say_assembled = false;    // as in Description
+  AssembledForm assembled_form = AssembledForm::none;
 
   const std::string& name(int joint) const;
   std::string quoted(const std::vector<int>& joints) const;
@@ -28,6 +29,8 @@ struct LoopContext {
   bool has_start(const std::vector<int>& joints) const;
   // Returns a phrase that says where loops are assembled, to follow a verb.
   std::string where(const std::vector<int>& joints) const;
+  // The position of a joint as the document writes it: `assembled = 0.5`. The format must have such positions.
+  std::string assembled_text(double position) const;
   // The hint for loops with these joints that do not close.
   std::string hint_to_close(const std::vector<int>& joints) const;
   // The hint to assemble loops with these joints in another position, such as one in which they are open.

@@ -17,7 +17,7 @@ namespace robcogen::model {
 namespace {
 
 LoopContext context_of(const Description& description, KinematicTree& tree, Diagnostics& diagnostics) {
-  LoopContext context{tree, diagnostics, {}, {}, {}, description.may_say_assembled};
+  LoopContext context{tree, diagnostics, {}, {}, {}, description.assembled_form};
   for (const Parameter& p : tree.parameters) context.parameters.push_back(p.default_value.value_or(1.0));
   for (const Coupling& coupling : tree.couplings) {
     context.given.insert(coupling.joint);

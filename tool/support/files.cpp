@@ -1,12 +1,17 @@
 #include "support/files.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace robcogen {
 namespace {
@@ -38,6 +43,19 @@ bool write(const fs::path& path, const std::string& text) {
   return static_cast<bool>(file);
 }
 
+constexpr const char* kTemporary = ".robcogen-new";
+
+// A file, whatever its path: the device and the number on it.
+using Identity = std::pair<dev_t, ino_t>;
+
+// nullopt if there is no regular file.
+std::optional<Identity> identity(const fs::path& path, int standard_stream) {
+  struct stat status {};
+  const int fault = path == "-" ? ::fstat(standard_stream, &status) : ::stat(path.c_str(), &status);
+  if (fault != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return Identity(status.st_dev, status.st_ino);
+}
+
 std::string reason(int number) {
   return number == 0 ? "" : ": " + std::generic_category().message(number);
 }
@@ -56,6 +74,36 @@ struct Change {
   fs::path temporary;
   fs::path final;
 };
+
+// The target of a symbolic link, and otherwise the path itself.
+fs::path behind_links(const fs::path& path) {
+  std::error_code fault;
+  if (!fs::is_symlink(path, fault)) return path;
+  fs::path target = fs::canonical(path, fault);
+  return fault ? path : target;
+}
+
+// Whether the path leads to a device, to a pipe, or, like /dev/stdout, to a file that is open.
+bool is_stream(fs::path path) {
+  constexpr int kMaxLinks = 40;
+  std::error_code fault;
+  const fs::file_status status = fs::status(path, fault);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) return true;
+  for (int links = 0; links < kMaxLinks && fs::is_symlink(path, fault); ++links) {
+    path = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", fault) / path.filename();
+    if (path.string().starts_with("/proc/")) return true;
+    path = path.parent_path() / fs::read_symlink(path, fault);
+  }
+  return false;
+}
+
+// Streams are not emptied first: `>>` appends.
+bool append(const fs::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  return static_cast<bool>(file);
+}
 
 }  // namespace
 
@@ -94,15 +142,21 @@ bool write_files_if_changed(const fs::path& directory, const std::vector<OutputF
     for (const Change& change : changes) fs::remove(change.temporary, ignored);
     return false;
   };
+  std::vector<const OutputFile*> streams;
   for (const OutputFile& file : files) {
-    const fs::path final = directory / file.path;
+    if (is_stream(directory / file.path)) {
+      streams.push_back(&file);
+      continue;
+    }
+    const fs::path final = behind_links(directory / file.path);
     if (same_content(final, file.text)) continue;
     std::error_code fault;
     if (fs::is_directory(final, fault)) return give_up("cannot replace the folder", final, EISDIR);
-    fs::create_directories(final.parent_path(), fault);
+    fault.clear();  // there may be no file yet
+    if (final.has_parent_path()) fs::create_directories(final.parent_path(), fault);
     if (fault) return give_up("cannot create the folder", final.parent_path(), fault.value());
     fs::path temporary = final;
-    temporary += ".robcogen-new";
+    temporary += kTemporary;
     changes.push_back({temporary, final});
     errno = 0;
     if (!write(temporary, file.text)) return give_up("cannot write", final, errno);
@@ -112,7 +166,32 @@ bool write_files_if_changed(const fs::path& directory, const std::vector<OutputF
     fs::rename(change.temporary, change.final, fault);
     if (fault) return give_up("cannot replace", change.final, fault.value());
   }
+  for (const OutputFile* file : streams) {
+    errno = 0;
+    if (!append(directory / file->path, file->text)) return give_up("cannot write", directory / file->path, errno);
+  }
   return true;
+}
+
+std::optional<Overlap> overlap(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  std::map<Identity, const fs::path*> read;
+  for (const fs::path& input : inputs)
+    if (const auto file = identity(input, STDIN_FILENO)) read.emplace(*file, &input);
+  for (const fs::path& output : outputs) {
+    // A folder of the path may not exist yet; then `..` behind it leads nowhere until the folder is made.
+    std::error_code fault;
+    fs::path place = output == "-" ? output : fs::weakly_canonical(fs::absolute(output, fault), fault);
+    if (fault) place = output;
+    fs::path temporary = place;
+    temporary += kTemporary;
+    for (const fs::path& written : {output, place, temporary}) {
+      const auto file = identity(written, STDOUT_FILENO);
+      if (!file) continue;
+      if (const auto found = read.find(*file); found != read.end())
+        return Overlap{written == place ? output : written, *found->second};
+    }
+  }
+  return std::nullopt;
 }
 
 std::string dependency_file(const fs::path& target, const std::vector<fs::path>& inputs) {

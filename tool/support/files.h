@@ -23,11 +23,25 @@ struct OutputFile {
 
 // Writes every file whose content differs. All of them are first written to temporary files, which are then renamed. If
 // a folder cannot be made or a file cannot be written, the temporary files are removed, nothing is renamed, `error`
-// says what failed, and the function returns false.
+// says what failed, and the function returns false. A symbolic link remains, and its target is replaced. Devices and
+// pipes are written directly, after the files.
 bool write_files_if_changed(
     const std::filesystem::path& directory,
     const std::vector<OutputFile>& files,
     std::string& error);
+
+// Two paths of one file.
+struct Overlap {
+  std::filesystem::path output;
+  std::filesystem::path input;
+};
+
+// The first output that is one of the inputs, whatever paths, symbolic links or hard links lead to it; nullopt if there
+// is none. Only regular files count. "-" is standard input among the inputs, and standard output among the outputs. An
+// output counts together with the temporary file beside it.
+std::optional<Overlap> overlap(
+    const std::vector<std::filesystem::path>& outputs,
+    const std::vector<std::filesystem::path>& inputs);
 
 // One rule `target: inputs…` in the form of a compiler's dependency file; blanks, '#' and '$' are escaped.
 std::string dependency_file(const std::filesystem::path& target, const std::vector<std::filesystem::path>& inputs);

@@ -105,14 +105,15 @@ void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
 void add_tips(Drawing& d) {
   const backend::Library& library = d.robot.library;
   const std::string tip = fmt::format("class=\"tip\" stroke-width=\"{:.1f}\"", d.width * 0.6);
+  std::vector<bool> carries_joint(library.links.size());
+  for (const JointData& joint : library.all_joints()) carries_joint[static_cast<std::size_t>(joint.parent)] = true;
+  std::vector<std::vector<Point>> ends_of(library.links.size());
+  for (std::size_t f = 0; f < d.robot.frames.size(); ++f)
+    if (d.robot.frames[f].kind == ViewedFrame::Kind::user)
+      ends_of[static_cast<std::size_t>(d.robot.frames[f].link)].push_back(origin(d.posture.frames[f]));
   for (std::size_t l = 0; l < library.links.size(); ++l) {
-    const std::vector<JointData> joints = library.all_joints();
-    const bool is_leaf =
-        std::none_of(joints.begin(), joints.end(), [&](const JointData& j) { return j.parent == static_cast<int>(l); });
-    std::vector<Point> ends;
-    for (std::size_t f = 0; f < d.robot.frames.size(); ++f)
-      if (d.robot.frames[f].kind == ViewedFrame::Kind::user && d.robot.frames[f].link == static_cast<int>(l))
-        ends.push_back(origin(d.posture.frames[f]));
+    const bool is_leaf = !carries_joint[l];
+    std::vector<Point>& ends = ends_of[l];
     if (is_leaf && ends.empty() && d.posture.masses[l] > 0) ends.push_back(d.posture.centres[l]);
     const Point from = origin(d.posture.frames[l]);
     const auto farthest = std::max_element(ends.begin(), ends.end(), [&](const Point& p, const Point& q) {

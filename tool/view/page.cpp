@@ -125,11 +125,9 @@ Json data_of(
     const Diagnostics& diagnostics,
     const PageOptions& options) {
   const backend::Library& library = robot.library;
-  Json frames = Json::array(), functions = Json::object(), parameters = Json::object();
-  for (const ViewedFrame& frame : robot.frames) {
+  Json frames = Json::array(), parameters = Json::object();
+  for (const ViewedFrame& frame : robot.frames)
     frames.push_back({{"kind", word(frame.kind)}, {"name", frame.name}, {"index", frame.index}, {"link", frame.link}});
-    if (frame.function >= 0) functions[frame.name] = library.functions[static_cast<std::size_t>(frame.function)].name;
-  }
   Json loops = Json::array();
   for (const ViewedLoop& loop : robot.loops) loops.push_back({{"name", loop.name}, {"frames", loop.frames}});
   for (std::size_t k = 0; k < library.parameters.size(); ++k)
@@ -138,14 +136,8 @@ Json data_of(
   const std::string about = fmt::format(
       "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
       robot.floats ? "floating base, fixed in this view" : "fixed base");
-  return {
-      {"about", about},
-      {"q", options.q},
-      {"parameters", parameters},
-      {"frames", frames},
-      {"functions", functions},
-      {"loops", loops},
-      {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
+  return {{"about", about},   {"q", options.q}, {"parameters", parameters},
+          {"frames", frames}, {"loops", loops}, {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
 }
 
 }  // namespace

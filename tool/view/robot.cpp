@@ -4,6 +4,7 @@
 #include <map>
 
 #include "algorithm/catalogue/model_numbers.h"
+#include "algorithm/kinematics/frame_poses.h"
 #include "driver/driver.h"
 #include "model/plausibility.h"
 #include "symbolic/interpret.h"
@@ -14,10 +15,19 @@ namespace {
 using algorithm::kNumbersOfLink;
 using symbolic::Role;
 
-// The groups whose functions are shown.
-const std::vector<std::string> kGroups = {"bias_forces", "forward_dynamics", driver::kTransformsGroup};
+constexpr const char* kFramePoses = "frame_poses";
 
-// The model with its base held, and with all frames.
+// The groups whose functions are shown. Without pairs of frames, the group of transforms has functions of joints that
+// follow others.
+std::vector<std::string> groups_of(const model::KinematicTree& tree, Purpose purpose) {
+  std::vector<std::string> groups = {driver::kTransformsGroup};
+  if (purpose == Purpose::page)
+    for (const char* group : {"bias_forces", "forward_dynamics"})
+      if (algorithm::is_available(tree, group)) groups.emplace_back(group);
+  return groups;
+}
+
+// The model with its base held.
 driver::Model held(const driver::Model& model) {
   driver::Model result = model;
   driver::Robot robot = *model.robot();
@@ -25,21 +35,16 @@ driver::Model held(const driver::Model& model) {
   robot.tree.inertia_defects = model::inertia_defects(robot.tree);
   robot.desired = {};
   robot.derivatives.clear();
-  const std::vector<model::Frame> frames = robot.tree.frames();
-  for (const model::Frame& frame : frames)
-    if (!(frame.kind == model::Frame::Kind::link && frame.index == 0))
-      robot.desired.transforms.push_back({frames.front(), frame});
   result.content = std::move(robot);
   return result;
 }
 
 bool is_shown(const backend::Function& f) {
-  if (!f.scope.empty()) return f.scope == "transforms::homogeneous";
   return f.name == "gravity_forces" || f.name == "forward_dynamics" || f.name == "joint_positions" ||
          f.name == "close_loops";
 }
 
-backend::Function numbers(const std::string& name, symbolic::Program program, const std::string& what) {
+backend::Function function_of(const std::string& name, symbolic::Program program, const std::string& what) {
   backend::Function f;
   f.group = f.name = f.kernel = name;
   f.summary = {what};
@@ -48,17 +53,12 @@ backend::Function numbers(const std::string& name, symbolic::Program program, co
 }
 
 std::vector<ViewedFrame> frames_of(const model::KinematicTree& tree, const backend::Library& library) {
-  std::map<std::string, int> functions;
-  for (std::size_t k = 0; k < library.functions.size(); ++k) {
-    const int right = library.functions[k].right_frame;
-    if (right >= 0) functions[library.frames[static_cast<std::size_t>(right)].name] = static_cast<int>(k);
-  }
   std::map<std::string, int> joints;
   for (const backend::JointData& j : library.all_joints()) joints.emplace(j.name, static_cast<int>(joints.size()));
   std::vector<ViewedFrame> result;
   int users = 0;
   for (const model::Frame& frame : tree.frames()) {
-    ViewedFrame viewed = {ViewedFrame::Kind::link, frame.name, frame.index, tree.link_of(frame), -1};
+    ViewedFrame viewed = {ViewedFrame::Kind::link, frame.name, frame.index, tree.link_of(frame)};
     if (frame.kind == model::Frame::Kind::joint) {
       viewed.kind = ViewedFrame::Kind::joint;
       viewed.index = joints.at(tree.joints[static_cast<std::size_t>(frame.index)].name);
@@ -66,7 +66,6 @@ std::vector<ViewedFrame> frames_of(const model::KinematicTree& tree, const backe
       viewed.kind = ViewedFrame::Kind::user;
       viewed.index = users++;
     }
-    if (const auto f = functions.find(frame.name); f != functions.end()) viewed.function = f->second;
     result.push_back(std::move(viewed));
   }
   return result;
@@ -89,21 +88,22 @@ bool ViewedRobot::has_function(const std::string& name) const {
       library.functions.begin(), library.functions.end(), [&](const backend::Function& f) { return f.name == name; });
 }
 
-ViewedRobot viewed(const driver::Model& model) {
+ViewedRobot viewed(const driver::Model& model, Purpose purpose) {
   driver::require_traceable(model);
   const driver::Model robot = held(model);
   const model::KinematicTree& tree = robot.robot()->tree;
-  std::vector<std::string> groups;
-  for (const std::string& group : kGroups)
-    if (algorithm::is_available(tree, group)) groups.push_back(group);
-  driver::LibraryOptions options = {.names = {"robot"}, .groups = groups};
+  driver::LibraryOptions options = {.names = {"robot"}, .groups = groups_of(tree, purpose)};
   options.steps.effort = 0;  // a picture should appear at once
   ViewedRobot result;
   result.library = driver::library(robot, options);
   std::vector<backend::Function>& functions = result.library.functions;
   std::erase_if(functions, [](const backend::Function& f) { return !is_shown(f); });
+  functions.push_back(function_of(
+      kFramePoses, algorithm::frame_poses(tree, kFramePoses),
+      "Axes x, y, z and origins (m) of all frames in the base: a column for each."));
   if (!tree.parameters.empty())
-    functions.push_back(numbers("numbers", algorithm::model_numbers(tree), "The numbers of links, joints and frames."));
+    functions.push_back(
+        function_of("numbers", algorithm::model_numbers(tree), "The numbers of links, joints and frames."));
   result.frames = frames_of(tree, result.library);
   for (const backend::LoopData& loop : result.library.loops) {
     const auto place = [&](int frame) {
@@ -121,14 +121,14 @@ ViewedRobot viewed(const driver::Model& model) {
 Posture posture(const ViewedRobot& robot, const std::vector<double>& q, const std::vector<double>& parameters) {
   const std::vector<backend::Function>& functions = robot.library.functions;
   Posture result;
-  for (const ViewedFrame& frame : robot.frames) {
-    Pose pose = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-    if (frame.function >= 0) {
-      const symbolic::Program& program = functions[static_cast<std::size_t>(frame.function)].program;
-      const auto results = symbolic::interpret<double>(program, arguments(program, q, parameters));
-      const std::vector<double>& values = results.at(program.outputs.front().name);
-      for (std::size_t k = 0; k < 16; ++k) pose[k % 4][k / 4] = values[k];
-    }
+  const auto placed = std::find_if(
+      functions.begin(), functions.end(), [](const backend::Function& f) { return f.name == kFramePoses; });
+  const auto poses = symbolic::interpret<double>(placed->program, arguments(placed->program, q, parameters));
+  const double* placed_frame = poses.at("poses").data();
+  for (std::size_t f = 0; f < robot.frames.size(); ++f, placed_frame += 12) {
+    Pose pose{};
+    for (std::size_t k = 0; k < 12; ++k) pose[k % 3][k / 3] = placed_frame[k];
+    pose[3][3] = 1;
     result.frames.push_back(pose);
   }
   std::vector<backend::LinkData> links = robot.library.links;

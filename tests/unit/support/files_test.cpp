@@ -110,6 +110,36 @@ TEST_F(Files, AreAllUntouchedWhenTheDiskIsFull) {
 }
 #endif
 
+TEST_F(Files, ThatAreOneFileOverlap) {
+  put("in", "text");
+  put("other", "text");
+  fs::create_symlink("in", folder_ / "soft");
+  fs::create_hard_link(folder_ / "in", folder_ / "hard");
+  fs::create_directory(folder_ / "folder");
+  const fs::path in = folder_ / "in", other = folder_ / "other";
+  for (const char* path : {"in", "soft", "hard", "folder/../in", "new/../in"}) {
+    const auto found = overlap({other, folder_ / path}, {folder_ / "absent", in});
+    ASSERT_TRUE(found) << path;
+    EXPECT_EQ(found->output, folder_ / path);
+    EXPECT_EQ(found->input, in);
+  }
+  EXPECT_FALSE(overlap({other, folder_ / "new", folder_, "/dev/null"}, {in, folder_, "/dev/null", ""}));
+  // The temporary file beside an output, and beside the target of a link.
+  put("new.robcogen-new", "text");
+  fs::create_symlink("new", folder_ / "link");
+  EXPECT_TRUE(overlap({folder_ / "new"}, {folder_ / "new.robcogen-new"}));
+  put("new", "text");
+  EXPECT_TRUE(overlap({folder_ / "link"}, {folder_ / "new.robcogen-new"}));
+}
+
+TEST_F(Files, BehindLinksAreReplaced) {
+  put("store", "old");
+  fs::create_symlink("store", folder_ / "link");
+  ASSERT_TRUE(write({{"link", "new"}})) << error_;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(get("store"), "new");
+}
+
 TEST(DependencyFile, IsARuleOfMake) {
   EXPECT_EQ(dependency_file("out/stamp", {"a.kindsl", "b.dtdsl"}), "out/stamp: \\\n  a.kindsl \\\n  b.dtdsl\n");
   EXPECT_EQ(dependency_file("my out", {"a b#c$d"}), "my\\ out: \\\n  a\\ b\\#c$$d\n");

@@ -6,6 +6,7 @@
 
 #include "import/mjcf/check.h"
 #include "import/mjcf/describe.h"
+#include "import/xml/frame_names.h"
 
 namespace robcogen::import {
 
@@ -51,9 +52,10 @@ std::optional<Mjcf> mjcf(
   const Document document = read_document(*root, {options.free_equality_joints}, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (failed()) return std::nullopt;
-  const model::Description description = describe(document, identifiers, diagnostics);
+  model::Description description = describe(document, identifiers, diagnostics);
   if (failed()) return std::nullopt;
   mention_ignored(document, diagnostics);
+  rename_hidden_frames(description, diagnostics);
   std::optional<model::KinematicTree> tree = model::build(description, diagnostics);
   if (!tree) return std::nullopt;
   result.tree = std::move(*tree);

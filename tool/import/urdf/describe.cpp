@@ -42,6 +42,8 @@ model::DescribedJoint described(
   result.type = joint.type == JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
   result.placement = placement(joint, parent);
   result.limits = limits;
+  result.assembled = joint.assembled;
+  result.assembled_place = joint.assembled_place;
   result.drive.armature = model::Quantity(joint.armature);
   if (joint.dynamics) {
     result.drive.damping = model::Quantity(joint.dynamics->damping);
@@ -120,6 +122,7 @@ model::Description describe(
   description.name = identifiers.robot;
   description.place = document.name.place;
   description.floating_base = floats;
+  description.assembled_form = model::AssembledForm::attribute;
   for (std::size_t j = 0; j < document.joints.size(); ++j) {
     const Joint& joint = document.joints[j];
     if (!has_axis(joint)) continue;

@@ -81,6 +81,8 @@ struct Joint {
   std::optional<Mimic> mimic;
   std::optional<bool> is_independent;  // from the attribute
   Place independent_place;
+  std::optional<double> assembled;  // from the attribute: a position near which its loops close
+  Place assembled_place;
 };
 
 // The frame at one end of a loop.

@@ -45,6 +45,29 @@ std::string unused_name(const std::string& name, const Taken& links, const Docum
   return result;
 }
 
+// Adds one note that lists names that are transliterated, because a text must use the new ones.
+void mention_transliterated(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics) {
+  constexpr std::size_t kShown = 4;
+  std::vector<std::string> changes;
+  Place first;
+  const auto consider = [&](const char* kind, const Name& name, const std::string& identifier) {
+    if (identifier.empty() || !is_beyond_ascii(name.text)) return;
+    if (changes.empty()) first = name.place;
+    changes.push_back(fmt::format("{} '{}' becomes '{}'", kind, name.text, identifier));
+  };
+  consider("robot", document.name, identifiers.robot);
+  for (std::size_t l = 0; l < document.links.size(); ++l)
+    consider("link", document.links[l].name, identifiers.links[l]);
+  for (std::size_t j = 0; j < document.joints.size(); ++j)
+    consider("joint", document.joints[j].name, identifiers.joints[j]);
+  if (changes.empty()) return;
+  const std::size_t more = changes.size() > kShown ? changes.size() - kShown : 0;
+  changes.resize(changes.size() - more);
+  diagnostics.note(
+      "names-changed", first,
+      fmt::format("{}{}", fmt::join(changes, ", "), more > 0 ? fmt::format(", and {} more", more) : ""));
+}
+
 }  // namespace
 
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
@@ -70,6 +93,7 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics) {
     if (!name.empty()) take(joints, name, joint.name, "joint", diagnostics);
     result.joints.push_back(std::move(name));
   }
+  mention_transliterated(document, result, diagnostics);
   return result;
 }
 

@@ -38,6 +38,15 @@ void read_independent(const Element& element, Joint& joint, ElementReader& reade
       fmt::format("'independent' of joint '{}' is 'true' or 'false', not '{}'", joint.name.text, attribute->value));
 }
 
+// A position of the joint near which its loops close (rad, m). URDF+ does not have this attribute; other readers ignore
+// it.
+void read_assembled(const Element& element, Joint& joint, ElementReader& reader) {
+  const Attribute* attribute = find(element, "assembled");
+  if (attribute == nullptr) return;
+  joint.assembled_place = reader.place(attribute->span);
+  joint.assembled = reader.numbers(*attribute, 1, Range::any)[0].value();
+}
+
 Mimic read_mimic(const Element& element, ElementReader& reader) {
   Mimic result;
   result.joint = reader.name(element, "joint");
@@ -173,6 +182,7 @@ Joint read_joint(const Element& element, ElementReader& reader) {
     report_items_of_planar(own, result, reader);
     return result;
   }
+  read_assembled(element, result, reader);
   if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = read_mimic(*mimic->second, reader);
   if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
     result.dynamics = read_dynamics(*dynamics->second, result, reader);

@@ -6,6 +6,7 @@
 
 #include "import/urdf/describe.h"
 #include "import/urdf/mass.h"
+#include "import/xml/frame_names.h"
 #include "language/common/content.h"
 
 namespace robcogen::import {
@@ -85,6 +86,7 @@ std::optional<model::KinematicTree> urdf(
   if (failed()) return std::nullopt;
   description.uses_passive_forces = options.passive_forces;
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
+  rename_hidden_frames(description, diagnostics);
   return build_tree(description, diagnostics);
 }
 

@@ -1,6 +1,6 @@
 // The robot in a position. Everything here is computed by functions that the generator printed.
 import { coordinatesOf, elementsOf, isFollower, normalised, ratesOf, visit } from "./positions.js";
-import { add, axis, dot, identity, origin, place, principal, rotate, scale } from "./vectors.js";
+import { add, axis, dot, origin, place, principal, rotate, scale } from "./vectors.js";
 
 // The constant parts of the robot: `robot` is the generated module, `data` what the generator adds.
 export function makeRobot(robot, data) {
@@ -132,10 +132,8 @@ function positions(robot, state) {
 export function postureOf(robot, state) {
   const { module, data } = robot;
   const given = argumentsOf(robot, state);
-  const poses = data.frames.map(({ name }) => {
-    const transform = data.functions[name];
-    return transform ? module.transforms.homogeneous[transform](...given) : identity();
-  });
+  const rows = module.frame_poses(...given), last = [0, 0, 0, 1];
+  const poses = data.frames.map((_, f) => [...[0, 1, 2].map((r) => [0, 3, 6, 9].map((c) => rows[c + r][f])), last]);
   const masses = linksOf(robot, state.parameters).map((link, l) => massOf(link, poses[l]));
   return {
     poses,

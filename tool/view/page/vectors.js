@@ -11,8 +11,6 @@ export const axis = (pose, k) => [pose[0][k], pose[1][k], pose[2][k]];
 export const rotate = (pose, v) => [0, 1, 2].map((r) => pose[r][0] * v[0] + pose[r][1] * v[1] + pose[r][2] * v[2]);
 export const place = (pose, p) => add(origin(pose), rotate(pose, p));
 
-export const identity = () => [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
-
 // The eigenvalues, ascending, and unit eigenvectors of a symmetric 3 x 3 matrix, by Jacobi rotations.
 export function principal(matrix) {
   const a = matrix.map((row) => [...row]);
