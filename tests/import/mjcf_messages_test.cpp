@@ -1,5 +1,5 @@
 // Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly
-// mjcf_bad/<name>.expected. `-free-mimic` in the name sets that option.
+// mjcf_bad/<name>.expected. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
 //
 // If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
 #include "import/mjcf.h"
@@ -25,7 +25,10 @@ class MjcfMessages : public testing::TestWithParam<std::string> {};
 
 TEST_P(MjcfMessages, AreAsExpected) {
   const path file = folder() / (GetParam() + ".xml");
-  const import::MjcfOptions options{.free_equality_joints = GetParam().find("-free-mimic") != std::string::npos};
+  import::MjcfOptions options;
+  options.free_equality_joints = GetParam().find("-free-mimic") != std::string::npos;
+  if (const std::size_t at = GetParam().find("-robot-"); at != std::string::npos)
+    options.robot = GetParam().substr(at + sizeof "-robot-" - 1);
   Diagnostics diagnostics;
   const auto robot = import::mjcf(test::source_of_file(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());
