@@ -1,7 +1,5 @@
-// Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly
-// mjcf_bad/<name>.expected. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
-//
-// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
+// Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly the messages in its
+// file. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
 #include "import/mjcf.h"
 #include "reading.h"
 
@@ -21,22 +19,23 @@ std::string without_folder(std::string text) {
   return text;
 }
 
-class MjcfMessages : public testing::TestWithParam<std::string> {};
+class MjcfMessages : public testing::TestWithParam<path> {};
 
 TEST_P(MjcfMessages, AreAsExpected) {
-  const path file = folder() / (GetParam() + ".xml");
+  const path& file = GetParam();
+  const std::string name = file.stem().string();
   import::MjcfOptions options;
-  options.free_equality_joints = GetParam().find("-free-mimic") != std::string::npos;
-  if (const std::size_t at = GetParam().find("-robot-"); at != std::string::npos)
-    options.robot = GetParam().substr(at + sizeof "-robot-" - 1);
+  options.free_equality_joints = name.find("-free-mimic") != std::string::npos;
+  if (const std::size_t at = name.find("-robot-"); at != std::string::npos)
+    options.robot = name.substr(at + sizeof "-robot-" - 1);
   Diagnostics diagnostics;
-  const auto robot = import::mjcf(test::source_of_file(file), file, options, diagnostics);
+  const auto robot = import::mjcf(test::source_of_golden(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());
 
-  test::expect_messages(without_folder(diagnostics.render()), folder() / (GetParam() + ".expected"));
+  test::expect_messages(without_folder(diagnostics.render()), file);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::stems(folder(), {".xml"})), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::files(folder(), {".xml"})), test::test_name);
 
 // Codes are the string literals in kebab case.
 TEST(MjcfMessages, OfEveryCodeHaveADocument) {
@@ -45,7 +44,7 @@ TEST(MjcfMessages, OfEveryCodeHaveADocument) {
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));
   codes.erase("mjcf-unavailable");  // only from a generator without urdfdom
-  test::expect_documents(codes, folder());
+  test::expect_documents(codes, folder(), {".xml"});
 }
 
 }  // namespace
