@@ -10,6 +10,7 @@
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [PASSIVE_FORCES]            # URDF: damping and friction of joints are part of the dynamics
+#       [ROBOT body]                # MJCF: the robot among several in MODEL, by the name of its first body
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
@@ -91,7 +92,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
-  set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
+  set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
@@ -182,6 +183,9 @@ function(_robcogen_check_robot)
       _robcogen_refuse("${keyword} is for URDF; a robot document states this itself: ${library_MODEL}")
     endif()
   endforeach()
+  if(library_ROBOT AND NOT extension STREQUAL ".xml")
+    _robcogen_refuse("ROBOT is for MJCF, whose scenes have several robots: ${library_MODEL}")
+  endif()
 endfunction()
 
 # Sets `result` to the path of a robot's header. If the robot has the name of a header, <name>/<name>.h is the umbrella
@@ -342,6 +346,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_PASSIVE_FORCES)
     list(APPEND arguments --passive-forces)
+  endif()
+  if(library_ROBOT)
+    list(APPEND arguments --robot ${library_ROBOT})
   endif()
   foreach(language IN LISTS library_LANGUAGES)
     list(APPEND arguments --language ${language})

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "export/kinematics.h"
@@ -201,6 +203,175 @@ TEST(Mjcf, GeomsOfFixedBodiesNeedNoMass) {
   const model::KinematicTree tree = tree_of(
       arm("", "").insert(sizeof "<mujoco model='m'><worldbody>" - 1, "<body name='table'><geom type='mesh'/></body>"));
   EXPECT_EQ(tree.dof(), 1);
+}
+
+// ---- Copies.
+
+TEST(Mjcf, CopiesAreTurnedAndShiftedOneAfterTheOther) {
+  const auto leg = [](const std::string& suffix) {
+    return "<body name='leg" + suffix + "'><joint name='hip" + suffix + "'/>" + kInertial + "<site name='foot" +
+           suffix + "' pos='1 0 0'/></body>";
+  };
+  EXPECT_EQ(
+      robot_document(arm("", "<replicate count='3' offset='2 0 0' euler='0 0 90' sep='_'>" + leg("") + "</replicate>")),
+      robot_document(
+          arm("", leg("_0") + "<frame pos='2 0 0' euler='0 0 90'>" + leg("_1") +
+                      "</frame><frame pos='2 2 0' euler='0 0 180'>" + leg("_2") + "</frame>")));
+  // The suffix of the inner copy comes first; ten copies have suffixes of one digit, eleven of two.
+  const model::KinematicTree tree =
+      tree_of(arm("", "<replicate count='11'><replicate count='2' sep='x'><site name='s'/></replicate></replicate>"));
+  const auto has = [&](const std::string& name) {
+    return std::any_of(
+        tree.user_frames.begin(), tree.user_frames.end(), [&](const auto& frame) { return frame.name == name; });
+  };
+  EXPECT_TRUE(has("sx000") && has("sx110") && !has("sx0"));
+}
+
+TEST(Mjcf, CopiesShareActuatorsAndEqualities) {
+  const auto model = [](const std::string& bodies, const std::string& rest) {
+    return robot_document("<mujoco><worldbody>" + bodies + "</worldbody>" + rest + "</mujoco>");
+  };
+  const auto pair = [](const std::string& i) {
+    return "<body name='a" + i + "'><joint name='x" + i + "'/>" + kInertial + "<body name='b" + i + "'><joint name='y" +
+           i + "'/>" + kInertial + "</body></body>";
+  };
+  EXPECT_EQ(
+      model(
+          "<replicate count='2'>" + pair("") + "</replicate>",
+          "<equality><joint joint1='y' joint2='x'/></equality><actuator><motor joint='x' armature='2'/></actuator>"),
+      model(
+          pair("0") + pair("1"),
+          "<equality><joint joint1='y0' joint2='x0'/><joint joint1='y1' joint2='x1'/></equality>"
+          "<actuator><motor joint='x0' armature='2'/><motor joint='x1' armature='2'/></actuator>"));
+}
+
+// ---- Drives.
+
+TEST(Mjcf, ActuatorsAddArmatureAndDamping) {
+  const auto model = [](const std::string& joint, const std::string& actuators, const std::string& defaults = "") {
+    return robot_document(
+        "<mujoco><default>" + defaults + "</default><worldbody><body name='b'><joint name='j' " + joint + "/>" +
+        kInertial + "</body></worldbody><actuator>" + actuators + "</actuator></mujoco>");
+  };
+  EXPECT_EQ(
+      model("armature='0.5' damping='1'", "<motor joint='j' gear='3 0 0 0 0 0' armature='0.25' damping='2'/>"),
+      model("armature='2.75' damping='19'", ""));
+  EXPECT_EQ(
+      model("", "<motor joint='j' armature='0.25'/><position jointinparent='j' gear='-2' armature='0.5'/>"),
+      model("armature='2.25'", ""));
+  // All actuators share their defaults.
+  EXPECT_EQ(model("", "<motor joint='j'/>", "<position armature='0.25'/>"), model("armature='0.25'", ""));
+}
+
+TEST(Mjcf, SpringDampersFollowFromTheInertia) {
+  const auto drive = [](const std::string& joint) {
+    const std::string inertial = "<inertial pos='0 0.5 0' mass='2' diaginertia='1 1 1'/>";
+    return tree_of("<mujoco><worldbody><body><joint " + joint + "/>" + inertial + "</body></worldbody></mujoco>")
+        .joints[0]
+        .drive;
+  };
+  const auto expect = [](const model::Drive& given, double stiffness, double damping) {
+    EXPECT_DOUBLE_EQ(model::evaluate(given.stiffness), stiffness);
+    EXPECT_DOUBLE_EQ(model::evaluate(given.damping), damping);
+  };
+  // The moment about the joint is 1 + 2 * 0.5^2 + 0.5.
+  expect(drive("armature='0.5' stiffness='9' damping='9' springdamper='0.5 2'"), 2.0 / (0.25 * 4.0), 4.0 / 0.5);
+  expect(drive("type='slide' springdamper='0.5 2'"), 2.0 / (0.25 * 4.0), 4.0 / 0.5);
+  EXPECT_DOUBLE_EQ(model::evaluate(drive("springdamper='1 1' springref='180'").rest), 3.14159265358979323846);
+}
+
+TEST(Mjcf, ActuatorsDampJointsWithSpringDampersToo) {
+  const model::KinematicTree tree = tree_of(
+      "<mujoco><worldbody><body><joint name='j' springdamper='1 1'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 "
+      "1'/>"
+      "</body></worldbody><actuator><motor joint='j' damping='3'/></actuator></mujoco>");
+  EXPECT_DOUBLE_EQ(model::evaluate(tree.joints[0].drive.damping), 2.0 + 3.0);
+}
+
+// ---- Free bodies.
+
+TEST(Mjcf, FreeBodiesAreAligned) {
+  const auto body = [](const std::string& pose, const std::string& joint, const std::string& content) {
+    return robot_document(
+        "<mujoco><worldbody><body name='b' " + pose + "><freejoint " + joint + "/>" + content +
+        "</body></worldbody></mujoco>");
+  };
+  const std::string inertial = "mass='1' diaginertia='1 2 2.5'/>";
+  EXPECT_EQ(
+      body("", "align='true'", "<inertial pos='1 0 0' euler='0 0 90' " + inertial + "<site name='s'/>"),
+      body("", "", "<inertial pos='0 0 0' " + inertial + "<site name='s' pos='0 1 0' euler='0 0 -90'/>"));
+  const std::string aligned = "<compiler alignfree='true'/>", box = "<geom type='box' size='1 2 3' pos='0 1 0'/>";
+  const auto free = [&](const std::string& joint, const std::string& content) {
+    return robot_document(
+        "<mujoco>" + aligned + "<worldbody><body name='b'>" + joint + content + "</body></worldbody></mujoco>");
+  };
+  EXPECT_EQ(free("<freejoint/>", box), free("<freejoint/>", "<geom type='box' size='1 2 3'/>"));
+  // Not if the body carries others, or if its joint says otherwise.
+  EXPECT_EQ(free("<freejoint align='false'/>", box), body("", "", box));
+  EXPECT_EQ(free("<freejoint/>", box + "<body name='c'/>"), body("", "", box + "<body name='c'/>"));
+}
+
+// ---- Scenes.
+
+std::string document_of_robot(const std::string& text, const std::string& robot) {
+  Diagnostics diagnostics;
+  import::MjcfOptions options;
+  options.robot = robot;
+  const auto read = import::mjcf(std::make_shared<Source>("robot.xml", text), "robot.xml", options, diagnostics);
+  EXPECT_TRUE(read) << diagnostics.render();
+  return read ? language::kinematics::print(exporting::kinematics_document(read->tree)) : "";
+}
+
+TEST(Mjcf, ScenesHaveSeveralRobots) {
+  const std::string table = "<body name='table' pos='1 0 0'><site name='corner'/></body>";
+  const auto branch = [](const std::string& name, const std::string& joint) {
+    return "<body name='" + name + "'>" + joint + kInertial + "</body>";
+  };
+  const std::string left = branch("left", "<joint name='l'/>"), right = branch("right", "<joint name='r'/>");
+  // Masses of other robots need not be known.
+  const std::string ball = "<body name='ball'><freejoint/><geom type='mesh' mesh='nothing'/></body>";
+  const std::string cube = branch("cube", "<freejoint/>");
+  const auto world = [](const std::string& bodies, const std::string& rest = "") {
+    return "<mujoco model='m'><worldbody>" + bodies + "</worldbody>" + rest + "</mujoco>";
+  };
+  const std::string scene = world(
+      table + left + ball + right + cube,
+      "<equality><joint joint1='r'/></equality><actuator><motor joint='l'/></actuator>");
+  EXPECT_EQ(document_of_robot(scene, "left"), robot_document(world(table + left)));
+  EXPECT_EQ(
+      document_of_robot(scene, "world"),
+      robot_document(world(table + left + right, "<equality><joint joint1='r'/></equality>")));
+  EXPECT_EQ(document_of_robot(scene, "cube"), robot_document(world(cube)));
+  EXPECT_EQ(document_of_robot(world(cube), "cube"), robot_document(world(cube)));
+}
+
+// ---- Included files.
+
+// As in MuJoCo, a symbolic link is a file of its own.
+TEST(Mjcf, IncludesFilesThroughSymbolicLinks) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "mjcf_links";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder / name) << text; };
+  write("arm.inc", "<mujoco><body pos='1 0 0'/></mujoco>");
+  write("self.inc", "<mujoco><include file='again.inc'/></mujoco>");
+  fs::create_symlink("arm.inc", folder / "other.inc");
+  fs::create_symlink("self.inc", folder / "again.inc");
+  const auto read = [&](const std::string& content) {
+    Diagnostics diagnostics;
+    const auto source = std::make_shared<Source>((folder / "robot.xml").string(), arm("", content));
+    import::mjcf(source, folder / "robot.xml", {}, diagnostics);
+    std::vector<std::string> codes;
+    for (const Diagnostic& d : diagnostics.all())
+      if (d.severity == Severity::error) codes.push_back(d.code);
+    return codes;
+  };
+  using Codes = std::vector<std::string>;
+  EXPECT_EQ(read("<include file='arm.inc'/><include file='other.inc'/>"), Codes());
+  EXPECT_EQ(read("<include file='arm.inc'/><include file='./arm.inc'/>"), Codes{"included-twice"});
+  EXPECT_EQ(read("<include file='self.inc'/>"), Codes{"include-cycle"});
+  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly the messages in its
-// file. `-free-mimic` in the name sets that option.
+// file. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
 #include "import/mjcf.h"
 #include "reading.h"
 
@@ -23,8 +23,11 @@ class MjcfMessages : public testing::TestWithParam<path> {};
 
 TEST_P(MjcfMessages, AreAsExpected) {
   const path& file = GetParam();
-  const import::MjcfOptions options{
-      .free_equality_joints = file.stem().string().find("-free-mimic") != std::string::npos};
+  const std::string name = file.stem().string();
+  import::MjcfOptions options;
+  options.free_equality_joints = name.find("-free-mimic") != std::string::npos;
+  if (const std::size_t at = name.find("-robot-"); at != std::string::npos)
+    options.robot = name.substr(at + sizeof "-robot-" - 1);
   Diagnostics diagnostics;
   const auto robot = import::mjcf(test::source_of_golden(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());

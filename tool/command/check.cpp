@@ -24,8 +24,9 @@ void check_list(
     if (const auto motions = driver::load_motions_of(model, again))
       import::desired_frame_pairs(document, *motions, diagnostics);
   } else if (
-      const auto loaded =
-          driver::load(model, {.urdf = options.urdf, .import_folders = options.import_folders}, again)) {
+      const auto loaded = driver::load(
+          model, {.urdf = options.format.urdf, .robot = options.format.robot, .import_folders = options.import_folders},
+          again)) {
     import::desired_transforms(document, loaded->robot()->tree, diagnostics);
   }
 }
@@ -37,13 +38,15 @@ Status check(const CheckOptions& options) {
   std::vector<std::string> models, lists;
   for (const std::string& file : options.files)
     (driver::language_of_suffix(file) == driver::Language::desired ? lists : models).push_back(file);
+  for (const std::string& model : models) require_format(model, options.format);
   report_missing_folders(options.import_folders, options.error_format);
   Diagnostics diagnostics;
   for (const std::string& model : models) {
     const auto loaded = driver::load(
         model,
         {.strict = options.strict,
-         .urdf = options.urdf,
+         .urdf = options.format.urdf,
+         .robot = options.format.robot,
          .lists_parameters = true,
          .import_folders = options.import_folders,
          .may_be_library = true},

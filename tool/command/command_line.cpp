@@ -121,7 +121,8 @@ void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::p
       ->allow_extra_args(false);
 }
 
-void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
+void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
+  import::UrdfOptions& options = format.urdf;
   subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
   subcommand.add_flag(
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
@@ -131,6 +132,7 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
       "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
+  subcommand.add_option("--robot", format.robot, "MJCF: the first body of the robot, if the model has several robots");
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
@@ -194,7 +196,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
       "inverse_dynamics:q,qd");
   declare_import_folders(subcommand, model.import_folders);
-  declare_urdf_options(subcommand, model.urdf);
+  declare_format_options(subcommand, model.format);
   declare_error_format(subcommand, model.error_format);
   return file;
 }
@@ -259,7 +261,7 @@ Action declare_check(CLI::App& application) {
       ->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
-  declare_urdf_options(*subcommand, options->urdf);
+  declare_format_options(*subcommand, options->format);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return check(*options); };
 }
@@ -324,7 +326,7 @@ Action declare_convert(CLI::App& application) {
       ->check(one_of({"left", "right"}));
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
-  declare_urdf_options(*subcommand, options->urdf);
+  declare_format_options(*subcommand, options->format);
   declare_error_format(*subcommand, options->error_format);
   return [options] { return convert(*options); };
 }

@@ -50,7 +50,7 @@ void require_conversion(const ConvertOptions& options) {
                          options.from, options.to)};
   if (!options.desired.empty() && to != Language::transforms)
     throw Failure{wrong_usage, "robcogen: error: --desired selects transforms: the output must be a .ctdsl file"};
-  require_urdf(options.from, options.urdf);
+  require_format(options.from, options.format);
 }
 
 void require_values(const driver::Model& model, const Robot& robot) {
@@ -245,7 +245,8 @@ driver::LoadOptions load_options(const ConvertOptions& options) {
   driver::LoadOptions result;
   if (!options.desired.empty()) result.desired = options.desired;
   result.strict = options.strict;
-  result.urdf = options.urdf;
+  result.urdf = options.format.urdf;
+  result.robot = options.format.robot;
   result.import_folders = options.import_folders;
   return result;
 }

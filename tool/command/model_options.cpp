@@ -46,11 +46,16 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked) {
   return std::count(asked.begin(), asked.end(), kAllGroups) > 0 ? std::vector<std::string>() : asked;
 }
 
-void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
-  const bool for_urdf =
-      options.floating_base || options.snap_angles || options.passive_forces || options.allow_implausible;
-  if (!for_urdf && !options.free_mimic_joints) return;
+void require_format(const std::filesystem::path& model, const FormatOptions& options) {
+  const import::UrdfOptions& urdf = options.urdf;
+  const bool for_urdf = urdf.floating_base || urdf.snap_angles || urdf.passive_forces || urdf.allow_implausible;
+  if (!for_urdf && !urdf.free_mimic_joints && options.robot.empty()) return;
   const driver::Language language = driver::language_of(model);
+  if (!options.robot.empty() && language != driver::Language::mjcf)
+    throw Failure{
+        wrong_usage,
+        fmt::format("robcogen: error: --robot is for MJCF, whose scenes have several; '{}' has one", model.string())};
+  if (!for_urdf && !urdf.free_mimic_joints) return;
   if (language == driver::Language::urdf) return;
   if (language == driver::Language::mjcf && !for_urdf) return;
   throw Failure{
@@ -83,7 +88,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups, Diagnostics& diagnostics)
     const {
-  require_urdf(file, urdf);
+  require_format(file, format);
   if ((!contacts.empty() || !frames.empty()) && !driver::is_robot(driver::language_of(file)))
     throw Failure{
         wrong_usage, fmt::format(
@@ -93,7 +98,8 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
   options.strict = strict;
-  options.urdf = urdf;
+  options.urdf = format.urdf;
+  options.robot = format.robot;
   options.import_folders = import_folders;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);

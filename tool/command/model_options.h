@@ -30,13 +30,19 @@ struct Programs {
   std::vector<std::filesystem::path> read = {};  // files
 };
 
+// Options that apply to robots in other formats than the robot document.
+struct FormatOptions {
+  import::UrdfOptions urdf;
+  std::string robot;  // which one of a scene in MJCF; empty: the only one
+};
+
 struct ModelOptions {
   std::string file;
   std::string desired;
   std::vector<std::string> contacts;  // for robots
   std::vector<std::string> frames;    // for robots: names or patterns
   bool strict = false;
-  import::UrdfOptions urdf;
+  FormatOptions format;
   std::vector<std::filesystem::path> import_folders;
   ErrorFormat error_format = ErrorFormat::gnu;
   driver::Steps steps;
@@ -67,8 +73,8 @@ void require_groups_of_transforms(const std::vector<std::string>& asked);
 // Reports a warning for each folder of imports that does not exist.
 void report_missing_folders(const std::vector<std::filesystem::path>& folders, ErrorFormat format);
 
-// Throws a Failure if one of the options was given and the model is not a URDF: other documents say these things
-// themselves.
-void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options);
+// Throws a Failure if one of the options was given and the model is in a format that it does not apply to: other
+// documents say these things themselves.
+void require_format(const std::filesystem::path& model, const FormatOptions& options);
 
 }  // namespace robcogen::command

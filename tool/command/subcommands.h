@@ -29,7 +29,7 @@ Status generate(GenerateOptions options);
 struct CheckOptions {
   std::vector<std::string> files;
   std::vector<std::filesystem::path> import_folders;
-  import::UrdfOptions urdf;
+  FormatOptions format;
   bool strict = false;
   ErrorFormat error_format = ErrorFormat::gnu;
 };
@@ -74,7 +74,7 @@ struct ConvertOptions {
   std::string position = "right";
   bool strict = false;
   std::vector<std::filesystem::path> import_folders;
-  import::UrdfOptions urdf;
+  FormatOptions format;
   ErrorFormat error_format = ErrorFormat::gnu;
 };
 Status convert(const ConvertOptions& options);

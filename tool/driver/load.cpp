@@ -80,7 +80,8 @@ std::optional<Model> load_tree(
     Diagnostics& diagnostics) {
   const Language language = language_of(file, *source);
   if (language == Language::mjcf) {
-    std::optional<import::Mjcf> read = import::mjcf(source, file, {options.urdf.free_mimic_joints}, diagnostics);
+    std::optional<import::Mjcf> read =
+        import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot}, diagnostics);
     if (!read) return std::nullopt;
     Model model = foreign_model(std::move(read->tree), options);
     model.read = std::move(read->included);

@@ -13,11 +13,14 @@ namespace robcogen::import {
 struct MjcfOptions {
   // If true, a joint that an `equality` couples to another is an independent joint; otherwise it is coupled.
   bool free_equality_joints = false;
+  // The body of the robot, in a scene where several bodies move independently: a floating body, a body of the world
+  // that carries joints, or `world` for all of the latter. Empty: there is only one.
+  std::string robot = {};
 };
 
 struct Mjcf {
   model::KinematicTree tree;
-  std::vector<std::filesystem::path> included;  // files
+  std::vector<std::filesystem::path> included;  // files, also of meshes
 };
 
 // Returns the kinematic tree of an MJCF model in the conventions of MuJoCo: joint positions have MuJoCo's zero and
@@ -26,7 +29,7 @@ struct Mjcf {
 //   several joints is the last of a chain of links, the others of which have no mass.
 // - A link frame of the model has its z axis along the joint axis and its origin on it. Every body and every site is a
 //   user frame of the same name.
-// - Mass properties come from `inertial`, or from geoms of simple shape.
+// - Mass properties come from `inertial`, or from geoms of simple shape and of meshes.
 // - Damping, friction, armature, springs and limits come from the joints.
 // Paths of included files are relative to the folder of `file`, or else to that of the file that includes them.
 // Reports, with places, what the model cannot represent, and notes what was not read. nullopt if an error was reported.

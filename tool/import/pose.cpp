@@ -258,6 +258,11 @@ Pose operator*(const Pose& a, const Pose& b) {
   return product;
 }
 
+Pose inverse(const Pose& pose) {
+  const Pose shift = {{-pose.translation[0], -pose.translation[1], -pose.translation[2]}, {}};
+  return Pose{{}, inverse(pose.rotation)} * shift;
+}
+
 model::Placement placement_of(const Pose& pose) {
   const std::array<Number, 3> angles = intrinsic_angles(pose.rotation);
   return {pose.translation, {model::Quantity(angles[0]), model::Quantity(angles[1]), model::Quantity(angles[2])}};

@@ -41,6 +41,7 @@ struct Pose {
 };
 
 Pose operator*(const Pose& a, const Pose& b);
+Pose inverse(const Pose& pose);
 model::Placement placement_of(const Pose& pose);
 
 }  // namespace robcogen::import

@@ -37,9 +37,9 @@ struct UrdfOptions {
 // - In a name that is not an identifier, `_` replaces the other characters. Two names that become equal are an error.
 // - A joint with the name of a link becomes `<name>_joint`, because the model has frames of both.
 // Reports, with places: text that is not XML or not a URDF, joint types that the model does not have, invalid `mimic`,
-// elements that do not form one tree, and invalid names, axes and mass properties. Elements that affect the dynamics
-// and are not read cause warnings; one note lists the other elements that are not read. nullopt if an error was
-// reported.
+// elements that do not form one tree, and invalid names, axes and mass properties. Elements and attributes that are not
+// read cause warnings, once for each name, unless they are known to have no effect; one note lists the elements of the
+// latter kind. nullopt if an error was reported.
 std::optional<model::KinematicTree> urdf(
     std::shared_ptr<const Source> source,
     const UrdfOptions& options,

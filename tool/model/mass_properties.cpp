@@ -45,8 +45,13 @@ void check_mass(const DescribedLink& link, const std::vector<Parameter>& paramet
             "the mass of link '{}' is negative: {} kg{}", link.name, print_double(value),
             mass.is_constant() ? "" : kByDefault));
   } else if (mass.is_zero()) {
+    const Inertia& i = *link.inertia;
+    const auto moments = {i.ixx, i.iyy, i.izz, i.ixy, i.ixz, i.iyz};
+    const bool has_moments =
+        std::any_of(moments.begin(), moments.end(), [](const Quantity& m) { return !m.is_zero(); });
     diagnostics.warning("zero-mass", link.mass_place, fmt::format("the mass of link '{}' is zero", link.name)).hint =
-        "a link without mass needs no inertia: leave it out";
+        has_moments ? "its moments of inertia are part of the dynamics: write its mass, too"
+                    : "a link without mass and moments needs no inertia: leave it out";
   }
 }
 

@@ -180,6 +180,10 @@ robcogen_add_robot(TARGET hyl MODLE hyl.kindsl)
 # robcogen_add_robot(TARGET hyl): LANGUAGES: 'fortran' is not one of cpp c matlab maxima javascript
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES cpp fortran)
 
+#### robot_keyword
+# robcogen_add_robot(TARGET hyl): ROBOT is for MJCF, whose scenes have several robots: @DIR@/hyl.kindsl
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ROBOT base)
+
 #### urdf_keyword
 # robcogen_add_robot(TARGET hyl): FLOATING_BASE is for URDF; a robot document states this itself: @DIR@/hyl.kindsl
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl FLOATING_BASE)

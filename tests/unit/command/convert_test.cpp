@@ -191,13 +191,17 @@ TEST(Convert, UsageFaultsExitWithTwo) {
   const Scratch scratch("usage");
   const fs::path motions = scratch.path / "m.motdsl";
   write_text(motions, "Model M Convention = local A -> B : rotx(q)");
+  const fs::path scene = scratch.path / "scene.xml";
+  write_text(scene, "<mujoco><worldbody/></mujoco>");
   const std::string m = quoted(motions), out = quoted(scratch.path / "out"), hyl = quoted(robot("hyl"));
   for (const std::string& arguments : std::vector<std::string>{
            "convert", "convert " + hyl, "convert " + hyl + " out.txt", "convert no-such-file.kindsl out.urdf",
            "convert " + hyl + " out.kindsl", "convert " + m + " out.urdf", "convert " + m + " out.kindsl",
            "convert " + m + " out.motdsl", "convert --floating-base " + hyl + " out.urdf",
            "convert --desired x.dtdsl " + hyl + " out.urdf", "convert --position up " + m + " out.ctdsl",
-           "convert " + m + " " + quoted(motions / "below" / "a.ctdsl"), "ops --snap-angles " + hyl}) {
+           "convert " + m + " " + quoted(motions / "below" / "a.ctdsl"), "ops --snap-angles " + hyl,
+           "check --snap-angles " + hyl, "check --robot arm " + hyl, "check --floating-base " + quoted(scene),
+           "eval --floating-base " + quoted(scene) + " joint_space_inertia"}) {
     const Outcome run = run_tool(arguments);
     EXPECT_EQ(run.status, 2) << arguments << "\n" << run.errors;
     EXPECT_NE(run.errors.find("error"), std::string::npos) << arguments;

@@ -165,6 +165,8 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
       "--free-mimic-joints",
       "--passive-forces",
       "--allow-implausible",
+      "--robot",
+      "--robot=arm",
       "--error-format",
       "--error-format=msvc",
       "--algorithms",

@@ -5,131 +5,92 @@
 #include <algorithm>
 #include <map>
 
+#include "import/mjcf/defaults.h"
+#include "import/mjcf/elements.h"
+
 namespace robcogen::import::from_mjcf {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
-// By element, in MJCF's own words.
-const std::map<std::string, Names>& known_attributes() {
-  static const std::map<std::string, Names> known = {
-      {"compiler",
-       {"angle",          "eulerseq",          "autolimits",       "boundmass", "boundinertia", "settotalmass",
-        "balanceinertia", "strippath",         "coordinate",       "fitaabb",   "meshdir",      "texturedir",
-        "assetdir",       "discardvisual",     "convexhull",       "usethread", "fusestatic",   "inertiafromgeom",
-        "saveinertial",   "inertiagrouprange", "exactmeshinertia", "alignfree", "conflict"}},
-      {"body", {"name", "class", "childclass", "pos", "mocap", "gravcomp", "user", "sleep", "simple"}},
-      {"frame", {"name", "childclass", "pos"}},
-      {"freejoint", {"name", "group", "align"}},
-      {"inertial", {"pos", "mass", "diaginertia", "fullinertia"}},
-      {"site", {"name", "class", "type", "group", "pos", "material", "size", "fromto", "rgba", "user"}},
-      {"geom", {"name",   "class",    "type",     "contype",    "conaffinity", "condim",       "group",  "priority",
-                "size",   "material", "friction", "mass",       "density",     "shellinertia", "solmix", "solref",
-                "solimp", "margin",   "gap",      "surfacevel", "adhesion",    "fromto",       "pos",    "hfield",
-                "mesh",   "fitscale", "rgba",     "fluidshape", "fluidcoef",   "user"}},
-      {"option",
-       {"timestep",
-        "apirate",
-        "impratio",
-        "tolerance",
-        "ls_tolerance",
-        "noslip_tolerance",
-        "mpr_tolerance",
-        "ccd_tolerance",
-        "sleep_tolerance",
-        "gravity",
-        "wind",
-        "magnetic",
-        "density",
-        "viscosity",
-        "o_margin",
-        "o_solref",
-        "o_solimp",
-        "o_friction",
-        "integrator",
-        "collision",
-        "cone",
-        "jacobian",
-        "solver",
-        "iterations",
-        "ls_iterations",
-        "noslip_iterations",
-        "mpr_iterations",
-        "ccd_iterations",
-        "sdf_iterations",
-        "sdf_initpoints",
-        "actuatorgroupdisable"}},
-      {"flag", {"constraint", "equality", "frictionloss", "limit",       "contact",      "passive",   "spring",
-                "damper",     "gravity",  "clampctrl",    "warmstart",   "filterparent", "actuation", "refsafe",
-                "sensor",     "midphase", "eulerdamp",    "autoreset",   "nativeccd",    "island",    "multiccd",
-                "override",   "energy",   "fwdinv",       "invdiscrete", "sleep",        "diagexact", "sensornoise"}},
-      {"equality", {"active", "solref", "solimp"}},  // in a default class
-      {"equality/joint", {"name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"}},
-      {"joint",
-       {"name",
-        "class",
-        "type",
-        "group",
-        "pos",
-        "axis",
-        "springdamper",
-        "limited",
-        "actuatorfrclimited",
-        "actuatorgravcomp",
-        "solreflimit",
-        "solimplimit",
-        "solreffriction",
-        "solimpfriction",
-        "stiffness",
-        "range",
-        "actuatorfrcrange",
-        "margin",
-        "ref",
-        "springref",
-        "armature",
-        "damping",
-        "frictionloss",
-        "user"}}};
-  return known;
-}
-
-bool contains(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// `kind` names the known attributes.
-void check(const Element& element, const std::string& kind, Diagnostics& diagnostics) {
-  static const Names kTurning = {"body", "inertial", "frame", "site", "geom"};
-  const auto known = known_attributes().find(kind);
-  if (known == known_attributes().end()) return;
-  for (const Attribute& a : element.attributes) {
-    if ((is_orientation(a) && contains(kTurning, kind)) || contains(known->second, a.name)) continue;
-    diagnostics
-        .warning(
-            "unknown-attribute", a.name_place,
-            fmt::format("attribute '{}' of this '{}' is unknown and ignored", a.name, element.name))
-        .hint = did_you_mean(a.name, known->second);
+class NameChecker {
+ public:
+  // `section` is the name of the element of the root that contains this one.
+  void check(const Element& element, const std::string& section) {
+    const std::string kind = kind_of(element, section);
+    const KnownElement* known = known_element(kind);
+    if (known == nullptr) return;
+    for (const Attribute& a : element.attributes)
+      if (!known->has(a.name)) add(kind, a, *known);
+    const bool is_tree = kind == "worldbody" || kind == "body" || kind == "frame" || kind == "replicate";
+    for (const Element& child : element.children) {
+      const bool is_known =
+          std::find(known->children.begin(), known->children.end(), child.name) != known->children.end();
+      // The reader of the tree of bodies reports unknown elements in it.
+      if (!is_known && !is_tree && kind != "geom") add(kind, child, *known);
+      if (is_known || is_tree) check(child, section.empty() ? child.name : section);
+    }
   }
-}
 
-void check_all(const Element& element, Diagnostics& diagnostics) {
-  // Elements in these have attributes of their own.
-  if (element.name == "composite" || element.name == "flexcomp") return;
-  check(element, element.name, diagnostics);
-  for (const Element& child : element.children) check_all(child, diagnostics);
-}
+  void report(Diagnostics& diagnostics) const {
+    for (const Finding& finding : findings_) {
+      const std::string times = finding.count == 1 ? "" : fmt::format(" ({} times)", finding.count);
+      diagnostics.warning(finding.code, finding.place, finding.message + times).hint = finding.hint;
+    }
+  }
+
+ private:
+  struct Finding {
+    const char* code = "";
+    std::string message, hint;
+    Place place;
+    int count = 0;
+  };
+
+  std::vector<Finding> findings_;
+  std::map<std::string, std::size_t> indices_;  // by kind and name
+
+  // The name under which the table lists an element.
+  static std::string kind_of(const Element& element, const std::string& section) {
+    const std::string& name = element.name;
+    if (section == "actuator") return name == "actuator" ? "actuators" : "actuator";
+    if (section == "default" && is_actuator(name)) return "actuator";
+    if (section == "default" && name == "equality") return "default/equality";
+    if (section == "tendon") return name == "spatial" || name == "fixed" ? "tendon" : name == "tendon" ? "tendons" : "";
+    if (section == "equality" && name != "equality") return "equality/" + name;
+    if (section == "asset" && name != "asset" && name != "mesh") return "";
+    // These generate bodies, and have attributes of their own.
+    if (name == "composite" || name == "flexcomp") return "";
+    return name;
+  }
+
+  void add(const std::string& kind, const Attribute& attribute, const KnownElement& known) {
+    std::vector<std::string> names = known.read;
+    names.insert(names.end(), known.without_effect.begin(), known.without_effect.end());
+    const std::string owner = kind.substr(kind.rfind('/') + 1);
+    add(kind + " " + attribute.name,
+        {"unknown-attribute", fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, owner),
+         did_you_mean(attribute.name, names), attribute.name_place, 0});
+  }
+
+  void add(const std::string& kind, const Element& child, const KnownElement& known) {
+    if (child.name == "include") return;
+    add(kind + "/" + child.name, {"unknown-element", fmt::format("element '{}' is unknown and ignored", child.name),
+                                  did_you_mean(child.name, known.children), child.place, 0});
+  }
+
+  void add(const std::string& key, const Finding& finding) {
+    const auto [at, is_new] = indices_.insert({key, findings_.size()});
+    if (is_new) findings_.push_back(finding);
+    ++findings_[at->second].count;
+  }
+};
 
 }  // namespace
 
-void check_attributes(const Element& root, Diagnostics& diagnostics) {
-  static const Names kSections = {"compiler", "option", "default", "worldbody"};
-  for (const Element& section : root.children) {
-    if (contains(kSections, section.name)) check_all(section, diagnostics);
-    if (section.name != "equality") continue;
-    for (const Element& constraint : section.children)
-      check(constraint, section.name + "/" + constraint.name, diagnostics);
-  }
+void check_names(const Element& root, Diagnostics& diagnostics) {
+  NameChecker checker;
+  checker.check(root, "");
+  checker.report(diagnostics);
 }
 
 }  // namespace robcogen::import::from_mjcf

@@ -62,20 +62,50 @@ std::vector<Attribute> merged(std::vector<Attribute> own, std::vector<Attribute>
 
 }  // namespace
 
+const std::vector<std::string>& actuator_names() {
+  static const std::vector<std::string> names = {"general",  "motor",  "position", "velocity", "intvelocity", "damper",
+                                                 "cylinder", "muscle", "adhesion", "dcmotor",  "orientation", "pid"};
+  return names;
+}
+
+bool is_actuator(const std::string& element) {
+  return std::find(actuator_names().begin(), actuator_names().end(), element) != actuator_names().end();
+}
+
 Defaults::Defaults(const Element& root, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
   classes_.push_back({"main", {}, {}});
   for (const Element& section : root.children) {
     if (section.name != "default") continue;
-    if (const Attribute* name = find(section, "class")) classes_[0].name = name->value;
+    const Attribute* name = find(section, "class");
+    if (name != nullptr && !name->value.empty()) rename_top(*name);
+    if (!classes_[0].place.source) classes_[0].place = section.place;
     read(section, 0);
   }
+}
+
+// All top-level sections belong to one class. As in MuJoCo 2, its name is the last one that they give; MuJoCo 3 accepts
+// only `main`.
+void Defaults::rename_top(const Attribute& name) {
+  Class& top = classes_[0];
+  if (top.place.source && name.value != top.name) {
+    Diagnostic& warning = diagnostics_.warning(
+        "second-default-class", name.place,
+        fmt::format(
+            "'{}' is not a class of its own: the attributes of this section apply to the whole model, as in MuJoCo",
+            name.value));
+    warning.notes.push_back({top.place, fmt::format("they are added to those of '{}'", top.name)});
+    warning.hint = "nest a 'default' of this class in the other one";
+  }
+  top.name = name.value;
+  top.place = name.place;
 }
 
 // A nested class starts with all attributes of the enclosing class, including those that stand after it.
 void Defaults::read(const Element& section, std::size_t own) {
   for (const Element& element : section.children) {
     if (element.name == "default") continue;
-    std::vector<Attribute>& known = classes_[own].attributes[element.name];
+    const std::string kind = is_actuator(element.name) ? "actuator" : element.name;
+    std::vector<Attribute>& known = classes_[own].attributes[kind];
     known = merged(element.attributes, known, diagnostics_);
   }
   for (const Element& nested : section.children) {

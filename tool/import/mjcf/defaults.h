@@ -9,10 +9,14 @@
 
 namespace robcogen::import::from_mjcf {
 
+// The elements of `actuator`, which share one class "actuator" of defaults.
+const std::vector<std::string>& actuator_names();
+bool is_actuator(const std::string& element);
+
 class Defaults {
  public:
-  // Reads every `default` of the root element. Reports classes without a name, names that are given twice, and a `quat`
-  // that has no effect.
+  // Reads every `default` of the root element. Reports classes without a name, names that are given twice, a second
+  // name of the top-level class, and a `quat` that has no effect.
   Defaults(const Element& root, Diagnostics& diagnostics);
 
   // Whether the class is declared. Reports an undeclared class.
@@ -33,6 +37,7 @@ class Defaults {
     std::map<std::string, std::vector<Attribute>> attributes;  // by name of the element
   };
 
+  void rename_top(const Attribute& name);
   void read(const Element& section, std::size_t own);
   const Class* find_class(const Attribute& name) const;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "support/index.h"
@@ -16,12 +17,6 @@ struct Carried {
   int link = -1;  // index into the links, where [0] is the base; -1 if the body is not part of the robot
   Pose pose;
 };
-
-Pose inverse_of(const Pose& pose) {
-  const Rotation back = inverse(pose.rotation);
-  const Pose shift = {{-pose.translation[0], -pose.translation[1], -pose.translation[2]}, {}};
-  return Pose{{}, back} * shift;
-}
 
 // The frame of the joint, with z along its axis, in the frame of its body.
 Pose pose_of_joint(const Joint& joint) {
@@ -46,69 +41,32 @@ class Describer {
   }
 
   model::Description describe() {
-    const std::size_t base = find_base();
+    const std::size_t base = document_.robot.base;
     description_.name = identifiers_.robot;
     description_.place = document_.name.place;
-    description_.floating_base = document_.bodies[base].floats;
+    description_.floating_base = document_.bodies[base].floats();
     links_.emplace_back();
     links_[0].name = identifiers_.bodies[base];
     links_[0].place = document_.bodies[base].name.place;
     parts_.emplace_back();
     carried_.resize(document_.bodies.size());
     for (std::size_t b = 0; b < document_.bodies.size(); ++b) add_body(b, base);
-    if (!has_second_robot_) mention_left_out(base);
+    mention_left_out(base);
     for (std::size_t l = 0; l < links_.size(); ++l) {
       links_[l].inertia = model::sum_of(parts_[l]);
       if (l > 0) description_.links.push_back(std::move(links_[l]));
     }
     description_.base = std::move(links_[0]);
-    for (const Coupling& coupling : document_.couplings) add_coupling(coupling);
+    for (const Coupling& coupling : document_.couplings) add_couplings(coupling);
     return std::move(description_);
   }
 
  private:
-  // Returns the floating body, or the world if there is none.
-  std::size_t find_base() {
-    std::size_t base = 0;
-    for (std::size_t b = 1; b < document_.bodies.size(); ++b) {
-      if (!document_.bodies[b].floats) continue;
-      if (base != 0) {
-        report_second(b, document_.bodies[b].free_joint, base);
-        break;
-      }
-      base = b;
-    }
-    if (base == 0) return base;
-    for (std::size_t b = 1; b < document_.bodies.size(); ++b) {
-      if (document_.bodies[b].joints.empty() || !is_below(b, 0) || is_below(b, base)) continue;
-      report_second(b, document_.bodies[b].joints.front().name.place, base);
-      break;
-    }
-    return base;
-  }
-
-  bool is_below(std::size_t body, std::size_t ancestor) const {
-    for (int b = static_cast<int>(body); b >= 0; b = document_.bodies[at(b)].parent)
-      if (at(b) == ancestor) return true;
-    return false;
-  }
-
-  void report_second(std::size_t body, const Place& place, std::size_t base) {
-    has_second_robot_ = true;
-    Diagnostic& error = diagnostics_.error(
-        "second-robot", place,
-        fmt::format(
-            "body '{}' moves, but is not part of the robot whose base is '{}'", identifiers_.bodies[body],
-            identifiers_.bodies[base]));
-    error.notes.push_back({document_.bodies[base].free_joint, "this free joint makes the base of the robot floating"});
-    error.hint = "write each robot to a separate file";
-  }
-
   void add_body(std::size_t b, std::size_t base) {
     const Body& body = document_.bodies[b];
     if (b == base) {
       carried_[b] = {0, {}};
-    } else if (body.parent >= 0 && carried_[at(body.parent)].link >= 0) {
+    } else if (document_.robot.has[b] && body.parent >= 0 && carried_[at(body.parent)].link >= 0) {
       const Carried& parent = carried_[at(body.parent)];
       carried_[b] = {parent.link, parent.pose * body.pose};
       for (std::size_t j = 0; j < body.joints.size(); ++j) add_joint(b, j);
@@ -180,7 +138,7 @@ class Describer {
     description_.joints.push_back(std::move(described));
 
     links_[at(carried.link)].children.push_back({link_name, name, body.name.place, joint.name.place});
-    carried = {static_cast<int>(links_.size()), inverse_of(in_body)};
+    carried = {static_cast<int>(links_.size()), inverse(in_body)};
     links_.emplace_back();
     links_.back().name = link_name;
     links_.back().place = body.name.place;
@@ -189,40 +147,74 @@ class Describer {
   }
 
   struct FoundJoint {
-    std::string identifier;
-    Number reference;
+    std::size_t body = 0, joint = 0;
   };
 
-  std::optional<FoundJoint> find_joint(const Name& name) {
+  // The joints of a name in the file: several if it is copied, none if it is reported.
+  std::vector<FoundJoint> find_joints(const Name& name) {
+    std::vector<FoundJoint> found;
     std::vector<std::string> names;
     for (std::size_t b = 0; b < document_.bodies.size(); ++b) {
       const std::vector<Joint>& joints = document_.bodies[b].joints;
       for (std::size_t j = 0; j < joints.size(); ++j) {
         if (joints[j].name.text.empty()) continue;
-        if (joints[j].name.text == name.text) return FoundJoint{identifiers_.joints[b][j], joints[j].reference};
+        if (is_named(joints[j], name.text)) found.push_back({b, j});
         names.push_back(joints[j].name.text);
       }
     }
-    diagnostics_.error("coupled-joint", name.place, fmt::format("joint '{}' is not declared", name.text)).hint =
-        did_you_mean(name.text, names);
-    return std::nullopt;
+    if (found.empty())
+      diagnostics_.error("coupled-joint", name.place, fmt::format("joint '{}' is not declared", name.text)).hint =
+          did_you_mean(name.text, names);
+    return found;
   }
 
-  // y = b x + (a + y0 - b x0), or y = a + y0 if there is no x.
-  void add_coupling(const Coupling& coupling) {
-    const auto joint = find_joint(coupling.joint);
-    if (!joint) return;
+  const Joint& at_place(const FoundJoint& found) const { return document_.bodies[found.body].joints[found.joint]; }
+  const std::string& identifier(const FoundJoint& found) const { return identifiers_.joints[found.body][found.joint]; }
+  bool is_part(const FoundJoint& found) const { return document_.robot.has[found.body]; }
+
+  void add_couplings(const Coupling& coupling) {
+    const std::vector<FoundJoint> joints = find_joints(coupling.joint);
+    if (joints.empty()) return;
     if (coupling.followed.text.empty()) {
-      const Number offset = coupling.offset + joint->reference;
-      description_.couplings.push_back({joint->identifier, coupling.joint.place, {}, quantity(offset)});
+      for (const FoundJoint& joint : joints) add_fixed(coupling, joint);
       return;
     }
-    const auto followed = find_joint(coupling.followed);
-    if (!followed) return;
-    const Number offset = coupling.offset + joint->reference - coupling.factor * followed->reference;
+    const std::vector<FoundJoint> followed = find_joints(coupling.followed);
+    if (followed.empty()) return;
+    for (const FoundJoint& joint : joints) {
+      // A copy follows the joint of the same copy, or the only one.
+      const auto same = std::find_if(followed.begin(), followed.end(), [&](const FoundJoint& f) {
+        return at_place(f).written.suffix == at_place(joint).written.suffix;
+      });
+      add_coupling(coupling, joint, same == followed.end() ? followed.front() : *same);
+    }
+  }
+
+  // y = a + y0
+  void add_fixed(const Coupling& coupling, const FoundJoint& joint) {
+    if (!is_part(joint)) return;
+    const Number offset = coupling.offset + at_place(joint).reference;
+    description_.couplings.push_back({identifier(joint), coupling.joint.place, {}, quantity(offset)});
+  }
+
+  // y = b x + (a + y0 - b x0)
+  void add_coupling(const Coupling& coupling, const FoundJoint& joint, const FoundJoint& followed) {
+    if (is_part(joint) != is_part(followed)) {
+      const bool is_outside = !is_part(followed);
+      diagnostics_
+          .error(
+              "coupled-joint", coupling.joint.place,
+              fmt::format(
+                  "joints '{}' and '{}' are coupled, but '{}' is not part of the robot", identifier(joint),
+                  identifier(followed), is_outside ? identifier(followed) : identifier(joint)))
+          .hint = "--free-mimic-joints ignores the coupling";
+      return;
+    }
+    if (!is_part(joint)) return;
+    const Number offset = coupling.offset + at_place(joint).reference - coupling.factor * at_place(followed).reference;
     const model::DescribedCoupling::Term term = {
-        followed->identifier, quantity(coupling.factor), coupling.followed.place};
-    description_.couplings.push_back({joint->identifier, coupling.joint.place, {term}, quantity(offset)});
+        identifier(followed), quantity(coupling.factor), coupling.followed.place};
+    description_.couplings.push_back({identifier(joint), coupling.joint.place, {term}, quantity(offset)});
   }
 
   const Document& document_;
@@ -234,7 +226,6 @@ class Describer {
   std::vector<Carried> carried_;                    // by body
   std::size_t left_out_bodies_ = 0, left_out_sites_ = 0;
   Place first_left_out_;
-  bool has_second_robot_ = false;
   UniqueNames names_;
 };
 

@@ -17,12 +17,11 @@ struct Identifiers {
 // suffix of its kind. Reports names that are given twice or too long. One note lists the names that were changed.
 Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 
-// - The base is the body with the free joint, or the world if there is none.
+// - The base is the floating body of the robot, or the world.
 // - A body without joints is part of its parent.
 // - The joints of a body form a chain of massless links: MuJoCo applies them one after the other, each in the frame
 //   that the joints before it have moved.
-// Reports bodies that move but are not part of the floating robot. A note counts the other bodies and sites that are
-// not.
+// Reports couplings between the robot and other bodies. A note counts the bodies and sites that are not part of it.
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

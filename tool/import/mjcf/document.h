@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "import/mjcf.h"
 #include "import/mjcf/defaults.h"
+#include "import/mjcf/meshes.h"
 #include "import/mjcf/orientation.h"
 #include "import/mjcf/settings.h"
 #include "model/description.h"
@@ -32,13 +34,28 @@ struct Part {
   Number xx, yy, zz, xy, xz, yz;  // elements of the tensor: xy = - integral of x y dm
   Place mass_place;
   Place inertia_place;
+  bool has_given_axes = false;  // the axes of the pose are those of MuJoCo's principal moments
 };
 
 // Returns the inertia of a part of the body that has this pose, in the frame of the pose.
 model::Inertia inertia_of(const Part& part, const Pose& body);
 
+// A name in the file, from which `replicate` makes several by suffixes.
+struct Written {
+  std::string text;
+  std::string suffix;
+};
+
+// Stiffness and damping of a joint by the motion that they make: see resolve_spring_dampers.
+struct SpringDamper {
+  Number time_constant;  // s
+  Number damping_ratio;
+  Place place;
+};
+
 struct Joint {
   Name name;
+  Written written;
   model::JointType type = model::JointType::revolute;
   Pose frame;                 // of the enclosing `frame` elements, in the frame of the body
   std::array<Number, 3> pos;  // in this frame
@@ -47,64 +64,91 @@ struct Joint {
   model::JointLimits limits;
   model::Drive drive;
   model::DrivePlaces places;
+  std::optional<SpringDamper> spring_damper;
+  model::Quantity added_damping;  // by actuators
+};
+
+struct PlacedElement {
+  Element element;  // including its default attributes
+  Pose frame;       // of the enclosing `frame` elements, in the frame of the body
+};
+
+// Of a body that floats.
+struct FreeJoint {
+  Written written;
+  Place place;
+  std::optional<bool> is_aligned;  // from the attribute `align`
+  Place align_place;
 };
 
 struct Body {
   Name name;
   int parent = -1;  // body; -1 for the world
   Pose pose;        // in the frame of the parent
-  bool floats = false;
-  Place free_joint;           // if the body floats
+  bool moves = false;
+  std::optional<FreeJoint> free_joint;
   std::vector<Joint> joints;  // from the parent to the body
-  std::vector<Part> parts;
+  std::optional<Element> inertial;
+  std::vector<PlacedElement> geoms;
+  std::vector<Part> parts;  // see read_masses
   std::vector<Site> sites;
+
+  bool floats() const { return free_joint.has_value(); }
 };
 
 // y - y0 = a + b (x - x0), where y is the position of the joint, x the position of the joint that it follows, and y0
 // and x0 are their reference positions; a is `offset` and b is `factor`.
 struct Coupling {
-  Name joint;
-  Name followed;  // empty text: no such joint, and y = y0 + a
+  Name joint;     // as written
+  Name followed;  // as written; empty text: no such joint, and y = y0 + a
   Number offset;
   Number factor = Number::rational(1);
+};
+
+// Whether the name refers to this joint, or to all of its copies.
+inline bool is_named(const Joint& joint, const std::string& name) {
+  return !name.empty() && (joint.written.text == name || joint.name.text == name);
+}
+
+// The bodies that are the robot. The base is the floating body, or the world.
+struct Robot {
+  std::size_t base = 0;
+  std::vector<bool> has;  // by body
 };
 
 struct Document {
   Name name;
   std::vector<Body> bodies;  // [0] is the world; parents before children, depth first
+  Robot robot;
   std::vector<Coupling> couplings;
   std::map<std::string, int> ignored;  // number of elements that are not read, by name
 };
 
-struct Options {
-  bool free_equality_joints = false;
-};
+// The name of a body, or the one that it gets.
+std::string label_of(const Document& document, std::size_t body);
 
-// Reports what is missing or malformed, and what the model cannot represent.
-Document read_document(const Element& root, const Options& options, Diagnostics& diagnostics);
+// Reports what is missing or malformed, and what the model cannot represent. Appends files of meshes to `read`.
+Document read_document(
+    const Element& root,
+    const std::filesystem::path& file,
+    const MjcfOptions& options,
+    std::vector<std::filesystem::path>& read,
+    Diagnostics& diagnostics);
 
 // The state that readers of elements share.
 struct Context {
   const Settings& settings;
   const Defaults& defaults;
   Diagnostics& diagnostics;
-  const Attribute* childclass = nullptr;
+  Meshes& meshes;
 };
 
 // Reads a hinge, a slide or a ball joint; `element` includes its default attributes. nullopt for other types, which are
 // reported.
-std::optional<Joint> read_joint(const Element& element, const Context& context);
+std::optional<Joint> read_joint(const Element& element, const Settings& settings, Diagnostics& diagnostics);
 
 // Reads the masses of a body that moves, from its `inertial` or from its geoms. Reports masses that cannot be computed.
-struct PlacedElement {
-  Element element;  // including its default attributes
-  Pose frame;       // of the enclosing `frame` elements, in the frame of the body
-};
-std::vector<Part> read_parts(
-    const Name& body,
-    const Element* inertial,
-    const std::vector<PlacedElement>& geoms,
-    const Context& context);
+std::vector<Part> read_parts(const Body& body, const Context& context);
 
 // Reads the mass of a geom; nullopt for a geom without mass, and for a geom that is reported.
 std::optional<Part> read_geom(const Name& body, const PlacedElement& geom, const Context& context);

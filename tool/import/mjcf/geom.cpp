@@ -59,9 +59,13 @@ class GeomReader {
     const std::string shape = shapes()[values_.word(element_, "type", shapes(), 0)];
     if (shape == "plane" || shape == "hfield" || !is_in_range(values_.scalar(element_, "group"))) return std::nullopt;
     if (mass == nullptr ? density.is_zero() : values_.scalar(element_, "mass").is_zero()) return std::nullopt;
-    if (shape == "mesh" || shape == "sdf" || find(element_, "mesh") != nullptr) return refuse("of a mesh");
+    const Attribute* mesh = find(element_, "mesh");
+    if (shape == "sdf") return refuse("of a signed distance field");
+    if (shape == "mesh" && mesh == nullptr) return refuse("of a mesh without a name");
+    if (shape != "mesh" && mesh != nullptr) return refuse("of a shape that MuJoCo fits to a mesh");
     if (const Attribute* shell = find(element_, "shellinertia"); shell != nullptr && shell->value == "true")
       return refuse("of a shell");
+    if (mesh != nullptr) return read_mesh(*mesh, mass, density);
 
     Part part;
     const Moments moments = read_shape(shape, part.pose);
@@ -72,12 +76,35 @@ class GeomReader {
     part.mass_place = mass != nullptr ? mass->place : element_.place;
     part.inertia_place = element_.place;
     part.pose = frame_ * part.pose;
-    if (part.mass.value() < 0.0)
-      context_.diagnostics.error("negative-mass", part.mass_place, "the mass of this geom is negative");
+    part.has_given_axes = find(element_, "fromto") == nullptr;
+    check_mass(part);
     return part;
   }
 
  private:
+  void check_mass(const Part& part) {
+    if (part.mass.value() < 0.0)
+      context_.diagnostics.error("negative-mass", part.mass_place, "the mass of this geom is negative");
+  }
+
+  // The pose of the geom is that of the axes of the file of its mesh.
+  std::optional<Part> read_mesh(const Attribute& mesh, const Attribute* mass, const Number& density) {
+    const Solid* solid = context_.meshes.find(mesh);
+    if (solid == nullptr) return std::nullopt;
+    Part part;
+    part.mass = mass != nullptr ? values_.scalar(element_, "mass") : Number(density.value() * solid->volume);
+    const double factor = part.mass.value() / solid->volume;
+    part.xx = Number(factor * solid->xx), part.yy = Number(factor * solid->yy), part.zz = Number(factor * solid->zz);
+    part.xy = Number(factor * solid->xy), part.xz = Number(factor * solid->xz), part.yz = Number(factor * solid->yz);
+    part.mass_place = mass != nullptr ? mass->place : element_.place;
+    part.inertia_place = element_.place;
+    const Vector3& c = solid->center;
+    const Pose center = {{model::Quantity(c[0]), model::Quantity(c[1]), model::Quantity(c[2])}, {}};
+    part.pose = frame_ * pose_of(element_, context_.settings, context_.diagnostics) * center;
+    check_mass(part);
+    return part;
+  }
+
   bool is_in_range(const Number& group) const {
     const Settings& settings = context_.settings;
     return group.value() >= settings.first_group.value() && group.value() <= settings.last_group.value();

@@ -42,19 +42,32 @@ class IncludeReader {
   }
 
   // Marks `path` as open.
-  void enter(const fs::path& path, const Place& place) { files_.push_back({key(path), place, true}); }
+  void enter(const fs::path& path, const Place& place) {
+    files_.push_back({path.lexically_normal(), target_of(path), place, true});
+  }
 
  private:
   struct File {
-    fs::path key;
-    Place place;  // of the file name in the element that includes it
+    fs::path name;
+    fs::path target;  // without symbolic links
+    Place place;      // of the file name in the element that includes it
     bool is_open = false;
   };
 
-  static fs::path key(const fs::path& path) {
+  static fs::path target_of(const fs::path& path) {
     std::error_code fault;
     const fs::path canonical = fs::weakly_canonical(path, fault);
     return fault ? path : canonical;
+  }
+
+  // Returns a file that this path would repeat; nullptr if there is none. As in MuJoCo, several symbolic links to one
+  // file are different files. An open file, however, cannot contain itself by any name.
+  const File* repeated_by(const fs::path& path) const {
+    const fs::path target = target_of(path);
+    const auto found = std::find_if(files_.begin(), files_.end(), [&](const File& file) {
+      return file.name == path || (file.is_open && file.target == target);
+    });
+    return found == files_.end() ? nullptr : &*found;
   }
 
   // Copies an element. Returns whether everything that it includes could be read.
@@ -93,9 +106,7 @@ class IncludeReader {
     const Attribute* name = find(element, "file");
     if (name == nullptr) return refuse("missing-attribute", element.place, "this 'include' has no attribute 'file'");
     const fs::path path = path_of(name->value);
-    const auto known =
-        std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.key == key(path); });
-    if (known != files_.end()) {
+    if (const File* known = repeated_by(path)) {
       const std::string what = known->is_open ? "includes itself" : "is included twice";
       Diagnostic& error = diagnostics_.error(
           known->is_open ? "include-cycle" : "included-twice", name->place,

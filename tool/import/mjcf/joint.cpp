@@ -14,8 +14,8 @@ namespace {
 
 class JointReader {
  public:
-  JointReader(const Element& element, const Context& context)
-      : element_(element), context_(context), diagnostics_(context.diagnostics), values_(context.diagnostics) {}
+  JointReader(const Element& element, const Settings& settings, Diagnostics& diagnostics)
+      : element_(element), settings_(settings), diagnostics_(diagnostics), values_(diagnostics) {}
 
   std::optional<Joint> read() {
     const std::size_t type = values_.word(element_, "type", {"hinge", "slide", "ball", "free"}, 0);
@@ -64,9 +64,8 @@ class JointReader {
   // Converts a position from the unit of the compiler if the joint is a hinge.
   Number in_si_units(const Number& written, const Place& place) {
     if (!is_hinge_) return written;
-    if (std::abs(written.value()) < model::kNoLimit)
-      context_.settings.check_angle(written, kTurnsOfJoint, place, diagnostics_);
-    return context_.settings.angle(written);
+    if (std::abs(written.value()) < model::kNoLimit) settings_.check_angle(written, kTurnsOfJoint, place, diagnostics_);
+    return settings_.angle(written);
   }
 
   Number position(const char* attribute) {
@@ -103,20 +102,19 @@ class JointReader {
 
   void read_drive() {
     read_coefficient("damping", joint_.drive.damping, joint_.places.damping);
-    if (context_.settings.has_friction()) read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
+    if (settings_.has_friction()) read_value("frictionloss", joint_.drive.friction, joint_.places.friction);
     read_value("armature", joint_.drive.armature, joint_.places.armature);
     read_coefficient("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
-    if (!joint_.drive.stiffness.is_zero()) joint_.drive.rest = quantity(position("springref"));
+    if (!joint_.drive.stiffness.is_zero() || find(element_, "springdamper") != nullptr)
+      joint_.drive.rest = quantity(position("springref"));
     if (const Attribute* rest = find(element_, "springref")) joint_.places.rest = rest->place;
     const Attribute* damper = find(element_, "springdamper");
     if (damper == nullptr) return;
     const std::vector<Number> both = values_.numbers(*damper, 2, 2);
     if (both[0].is_zero() && both[1].is_zero()) return;
-    diagnostics_
-        .error(
-            "unsupported-attribute", damper->place,
-            "'springdamper' is not supported: it defines stiffness and damping through the masses")
-        .hint = "write stiffness=\"...\" and damping=\"...\"";
+    joint_.spring_damper = SpringDamper{both[0], both[1], damper->place};
+    if (both[0].value() > 0.0 && both[1].value() > 0.0) return;
+    diagnostics_.error("spring-damper", damper->place, "both numbers of 'springdamper' must be positive");
   }
 
   static const std::vector<std::string>& limit_words() {
@@ -128,7 +126,7 @@ class JointReader {
   bool is_limited(const char* limited, const Attribute& range) {
     const std::size_t choice = values_.word(element_, limited, limit_words(), 2);
     if (choice != 2) return choice == 1;
-    if (context_.settings.limits_follow_ranges) return true;
+    if (settings_.limits_follow_ranges) return true;
     diagnostics_
         .warning(
             "limits-unclear", range.place,
@@ -176,7 +174,7 @@ class JointReader {
   }
 
   const Element& element_;
-  const Context& context_;
+  const Settings& settings_;
   Diagnostics& diagnostics_;
   Values values_;
   Joint joint_;
@@ -185,8 +183,8 @@ class JointReader {
 
 }  // namespace
 
-std::optional<Joint> read_joint(const Element& element, const Context& context) {
-  return JointReader(element, context).read();
+std::optional<Joint> read_joint(const Element& element, const Settings& settings, Diagnostics& diagnostics) {
+  return JointReader(element, settings, diagnostics).read();
 }
 
 }  // namespace robcogen::import::from_mjcf

@@ -17,15 +17,19 @@ using namespace from_mjcf;
 // Warns about ignored constraints between bodies, which change how the robot moves; other ignored elements, which add
 // forces or nothing, get a note.
 void mention_ignored(const Document& document, Diagnostics& diagnostics) {
-  std::string list, constraints;
+  std::string list, constraints, forces;
   for (const auto& [name, count] : document.ignored) {
-    std::string& to = name.starts_with("equality/") ? constraints : list;
+    std::string& to = name.starts_with("equality/") ? constraints : name == "deformable/flex" ? forces : list;
     to += fmt::format("{}{} {}", to.empty() ? "" : ", ", count, name);
   }
   if (!constraints.empty())
     diagnostics.warning(
         "constraints-ignored", document.name.place,
         fmt::format("constraints are ignored, and the bodies move without them: {}", constraints));
+  if (!forces.empty())
+    diagnostics.warning(
+        "flex-forces", document.name.place,
+        fmt::format("elastic bodies are ignored, and the bodies move without their forces: {}", forces));
   if (!list.empty())
     diagnostics.note("ignored-elements", document.name.place, fmt::format("elements that are not read: {}", list));
 }
@@ -48,8 +52,8 @@ std::optional<Mjcf> mjcf(
         .hint = "another file includes this one: read that file";
     return std::nullopt;
   }
-  check_attributes(*root, diagnostics);
-  const Document document = read_document(*root, {options.free_equality_joints}, diagnostics);
+  check_names(*root, diagnostics);
+  const Document document = read_document(*root, file, options, result.included, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (failed()) return std::nullopt;
   model::Description description = describe(document, identifiers, diagnostics);

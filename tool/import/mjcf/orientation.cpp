@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "import/mjcf/vector3.h"
 #include "support/index.h"
 
 namespace robcogen::import::from_mjcf {
@@ -16,14 +17,6 @@ using Matrix = std::array<Vector, 3>;  // rows
 
 // A few roundings of doubles.
 constexpr Real kRounding = 1e-15L;
-
-Real dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // atan2, as a multiple of PI/4 where it is one up to rounding.
 Number angle_of(Real y, Real x) {
@@ -61,6 +54,11 @@ class OrientationReader {
   OrientationReader(const Settings& settings, Diagnostics& diagnostics)
       : settings_(settings), diagnostics_(diagnostics), values_(diagnostics) {}
 
+  Rotation multiple(const Attribute& euler, std::size_t factor) {
+    const std::optional<std::vector<Number>> given = values_.read(euler, 3, 3);
+    return given ? of_euler(euler, *given, factor) : Rotation();
+  }
+
   // Returns the identity if the value is malformed.
   Rotation read(const Attribute& attribute) {
     const bool has_six = attribute.name == "xyaxes", has_three = attribute.name == "euler" || attribute.name == "zaxis";
@@ -68,7 +66,7 @@ class OrientationReader {
     const std::optional<std::vector<Number>> given = values_.read(attribute, count, count);
     if (!given) return {};
     const std::vector<Number>& n = *given;
-    if (attribute.name == "euler") return of_euler(attribute, n);
+    if (attribute.name == "euler") return of_euler(attribute, n, 1);
     if (attribute.name == "xyaxes") return of_axes(attribute, n);
     if (attribute.name == "zaxis") return of_z_axis(attribute, n);
     if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, angle(attribute, n[3]));
@@ -89,12 +87,13 @@ class OrientationReader {
   }
 
   // Lower-case letters are axes of the rotating frame, capitals are fixed axes.
-  Rotation of_euler(const Attribute& attribute, const std::vector<Number>& angles) {
+  Rotation of_euler(const Attribute& attribute, const std::vector<Number>& angles, std::size_t factor) {
+    const Number times = Number::rational(static_cast<std::int64_t>(factor));
     Rotation result;
     for (std::size_t i = 0; i < 3; ++i) {
       const char letter = settings_.euler_sequence[i];
       const bool is_fixed = letter < 'a';
-      const Rotation turn = rotation_about(letter - (is_fixed ? 'X' : 'x'), angle(attribute, angles[i]));
+      const Rotation turn = rotation_about(letter - (is_fixed ? 'X' : 'x'), times * angle(attribute, angles[i]));
       result = is_fixed ? turn * result : result * turn;
     }
     return result;
@@ -153,6 +152,14 @@ Rotation orientation_of(const Element& element, const Settings& settings, Diagno
     given = &attribute;
   }
   return given == nullptr ? Rotation() : OrientationReader(settings, diagnostics).read(*given);
+}
+
+Rotation multiple_of_euler(
+    const Attribute& euler,
+    std::size_t factor,
+    const Settings& settings,
+    Diagnostics& diagnostics) {
+  return OrientationReader(settings, diagnostics).multiple(euler, factor);
 }
 
 Rotation smallest_rotation_to_axis(const std::array<Number, 3>& direction) {

@@ -55,6 +55,7 @@ class PartReader {
       const std::vector<Number> n = values_.numbers(*full, 6, 6);
       part.xx = n[0], part.yy = n[1], part.zz = n[2], part.xy = n[3], part.xz = n[4], part.yz = n[5];
     } else {
+      part.has_given_axes = true;
       const auto n = values_.triple(e, "diaginertia", {});
       part.xx = n[0], part.yy = n[1], part.zz = n[2];
     }
@@ -128,22 +129,18 @@ model::Inertia inertia_of(const Part& part, const Pose& body) {
   return result;
 }
 
-std::vector<Part> read_parts(
-    const Name& body,
-    const Element* inertial,
-    const std::vector<PlacedElement>& geoms,
-    const Context& context) {
-  PartReader reader(body, context);
+std::vector<Part> read_parts(const Body& body, const Context& context) {
+  PartReader reader(body.name, context);
   const std::size_t errors_before = context.diagnostics.error_count();
   std::vector<Part> parts;
   const InertiaFromGeoms from = context.settings.inertia_from_geoms;
-  const bool counts_geoms = inertial == nullptr ? from != InertiaFromGeoms::never : from == InertiaFromGeoms::always;
-  for (const PlacedElement& geom : geoms) {
-    std::optional<Part> part = counts_geoms ? read_geom(body, geom, context) : std::nullopt;
+  const bool counts_geoms = body.inertial ? from == InertiaFromGeoms::always : from != InertiaFromGeoms::never;
+  for (const PlacedElement& geom : body.geoms) {
+    std::optional<Part> part = counts_geoms ? read_geom(body.name, geom, context) : std::nullopt;
     if (part) parts.push_back(std::move(*part));
   }
-  const bool takes_inertial = parts.empty() && inertial != nullptr;
-  if (takes_inertial) parts.push_back(reader.read_inertial(*inertial));
+  const bool takes_inertial = parts.empty() && body.inertial;
+  if (takes_inertial) parts.push_back(reader.read_inertial(*body.inertial));
   // Values that are reported count as zeros, which say nothing about the bounds.
   const bool is_readable = context.diagnostics.error_count() == errors_before;
   if (takes_inertial) reader.check_inertial(parts.front());

@@ -10,16 +10,10 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-void ignore_section(const Element& section, Document& document, Diagnostics& diagnostics) {
-  static const std::vector<std::string> kSilent = {"compiler", "option",    "size",   "visual",
-                                                   "default",  "statistic", "custom", "asset"};
-  if (std::find(kSilent.begin(), kSilent.end(), section.name) != kSilent.end()) return;
-  static const std::vector<std::string> kKnown = {"contact",  "deformable", "tendon",   "actuator", "sensor",
-                                                  "keyframe", "extension",  "equality", "worldbody"};
-  if (std::find(kKnown.begin(), kKnown.end(), section.name) == kKnown.end()) {
-    report_unknown(section, kKnown, diagnostics);
-    return;
-  }
+void ignore_section(const Element& section, Document& document) {
+  static const std::vector<std::string> kCounted = {"contact",  "deformable", "tendon",  "sensor",
+                                                    "keyframe", "extension",  "equality"};
+  if (std::find(kCounted.begin(), kCounted.end(), section.name) == kCounted.end()) return;
   for (const Element& child : section.children) ++document.ignored[section.name + "/" + child.name];
 }
 
@@ -58,11 +52,8 @@ void scale_masses(const Number& total, Document& document) {
     for (const Part& part : body.parts) sum += part.mass.value();
   if (!(sum > 0.0)) return;
   const Number factor(total.value() / sum);
-  std::vector<bool> moves;
   for (Body& body : document.bodies) {
-    const bool is_carried = body.parent >= 0 && moves[static_cast<std::size_t>(body.parent)];
-    moves.push_back(is_carried || body.floats || !body.joints.empty());
-    if (!moves.back()) body.parts.clear();
+    if (!body.moves) body.parts.clear();
     for (Part& part : body.parts)
       for (Number* n : {&part.mass, &part.xx, &part.yy, &part.zz, &part.xy, &part.xz, &part.yz}) *n = *n * factor;
   }
@@ -76,24 +67,49 @@ void report_unknown(const Element& element, const std::vector<std::string>& know
       .hint = did_you_mean(element.name, known);
 }
 
-Document read_document(const Element& root, const Options& options, Diagnostics& diagnostics) {
+void read_masses(Document& document, const Context& context) {
+  for (std::size_t b = 0; b < document.bodies.size(); ++b) {
+    Body& body = document.bodies[b];
+    const bool is_needed = body.moves && document.robot.has[b];
+    if (is_needed || (context.settings.scales_masses() && b > 0)) body.parts = read_parts(body, context);
+    const bool has_mass_of_geoms = !body.inertial || context.settings.inertia_from_geoms == InertiaFromGeoms::always;
+    const std::size_t used = has_mass_of_geoms ? body.parts.size() : 0;
+    document.ignored["geom"] += static_cast<int>(body.geoms.size() - std::min(used, body.geoms.size()));
+  }
+  if (context.settings.scales_masses()) scale_masses(context.settings.total_mass, document);
+}
+
+Document read_document(
+    const Element& root,
+    const std::filesystem::path& file,
+    const MjcfOptions& options,
+    std::vector<std::filesystem::path>& read,
+    Diagnostics& diagnostics) {
   const Settings settings = read_settings(root, diagnostics);
   const Defaults defaults(root, diagnostics);
   Document document;
   const Attribute* model = find(root, "model");
   document.name = model == nullptr ? Name{"robot", root.place} : Name{model->value, model->place};
-  document.bodies.push_back({{"world", root.place}, -1, {}, false, {}, {}, {}, {}});
+  document.bodies.emplace_back().name = {"world", root.place};
+  for (const Element& section : root.children)
+    if (section.name == "worldbody") read_bodies(section, settings, defaults, document, diagnostics);
+  const std::size_t errors_before = diagnostics.error_count();
+  document.robot = choose_robot(document, options.robot, diagnostics);
+  if (diagnostics.error_count() > errors_before) return document;  // what follows depends on the choice
+  Meshes meshes(root, settings, defaults, file.parent_path(), read, diagnostics);
+  read_masses(document, {settings, defaults, diagnostics, meshes});
+  align_free_body(document, settings, diagnostics);
   for (const Element& section : root.children) {
-    if (section.name == "worldbody") {
-      read_bodies(section, settings, defaults, document, diagnostics);
-    } else if (section.name == "equality") {
+    if (section.name == "equality") {
       read_equalities(section, settings, defaults, options, document, diagnostics);
-    } else {
+    } else if (section.name == "actuator") {
+      read_actuators(section, defaults, document, diagnostics);
+    } else if (section.name != "worldbody") {
       if (section.name == "tendon") check_tendons(section, settings, defaults, diagnostics);
-      ignore_section(section, document, diagnostics);
+      ignore_section(section, document);
     }
   }
-  if (settings.scales_masses()) scale_masses(settings.total_mass, document);
+  resolve_spring_dampers(document, diagnostics);
   std::erase_if(document.ignored, [](const auto& entry) { return entry.second == 0; });
   return document;
 }

@@ -39,7 +39,7 @@ void read_equalities(
     const Element& section,
     const Settings& settings,
     const Defaults& defaults,
-    const Options& options,
+    const MjcfOptions& options,
     Document& document,
     Diagnostics& diagnostics) {
   if (!settings.has_equalities()) return;

@@ -34,6 +34,12 @@ class SettingsReader {
       refuse(*find(e, "coordinate"), "global coordinates are not supported").hint =
           "versions of MuJoCo that read global coordinates save the model with local ones";
     settings.total_mass = values_.scalar(e, "settotalmass", settings.total_mass);
+    settings.aligns_free_bodies = flag(e, "alignfree", settings.aligns_free_bodies);
+    if (const Attribute* alignment = find(e, "alignfree")) settings.alignment_place = alignment->place;
+    for (const char* name : {"assetdir", "meshdir"})
+      if (const Attribute* folder = find(e, name)) settings.mesh_folder = folder->value;
+    settings.strips_paths = flag(e, "strippath", settings.strips_paths);
+    settings.has_exact_meshes = flag(e, "exactmeshinertia", settings.has_exact_meshes);
   }
 
   void read_option(const Element& e) {

@@ -18,6 +18,11 @@ struct Settings {
   bool constraints = true, equalities = true, friction = true;  // false: disabled by a flag
   Number least_mass, least_moment;                              // MuJoCo raises smaller values
   Number total_mass;                                            // if positive, MuJoCo scales all masses to it
+  bool aligns_free_bodies = false;                              // with their principal axes, if they are alone
+  Place alignment_place;                                        // of the attribute
+  std::string mesh_folder;                                      // relative to that of the model
+  bool strips_paths = false;                                    // of files of meshes
+  bool has_exact_meshes = false;                                // by default
   Number first_group, last_group = Number(5.0);                 // of the geoms from which bodies take their mass
 
   bool scales_masses() const { return total_mass.value() > 0.0; }

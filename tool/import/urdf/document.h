@@ -64,7 +64,9 @@ struct Mimic {
 struct Dynamics {
   Number damping;
   Number friction;
+  Number armature;
   Place place;
+  Place armature_place;  // if it is not zero
 };
 
 struct Joint {
@@ -77,7 +79,7 @@ struct Joint {
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
-  Number armature;  // from the rotors that its transmissions turn
+  Number armature;  // its own, and from the rotors that its transmissions turn
   std::optional<Mimic> mimic;
   std::optional<bool> is_independent;  // from the attribute
   Place independent_place;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "import/magnitudes.h"
+#include "import/urdf/elements.h"
 
 namespace robcogen::import::from_urdf {
 namespace {
@@ -25,6 +26,7 @@ std::string mechanical_meaning(const std::string& element) {
       {"drake:linear_spring_damper", kForces},
       {"drake:tendon_constraint", kConstraint},
       {"force_element", kForces},
+      {"joint_properties", "'damping' and 'friction' belong in 'dynamics' of 'joint'"},
       {"loop_joint", "the loop stays open; URDF+ closes one by 'loop'"}};
   static const std::map<std::string, const char*> owners = {
       {"axis", "'joint' or 'loop'"},
@@ -52,6 +54,14 @@ bool has_parts(const std::string& element) {
 }
 
 }  // namespace
+
+bool ElementReader::is_zero(const Attribute& attribute) {
+  const std::vector<Word> all = words(attribute);
+  return !all.empty() && std::all_of(all.begin(), all.end(), [](const Word& word) {
+    const std::optional<Number> number = Number::parse(word.text);
+    return number && number->is_zero();
+  });
+}
 
 const Attribute* find(const Element& element, const char* attribute) {
   const auto found = std::find_if(
@@ -94,38 +104,49 @@ Span ElementReader::name_span(const Attribute& attribute) const {
   return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
 }
 
-void ElementReader::check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all) {
+void ElementReader::check_attributes(const Element& element) {
+  const KnownElement* known = known_element(element.name);
+  if (known == nullptr) return;
+  Names required, names;
+  for (const std::string& name : known->required) required.push_back(name.c_str());
+  for (const std::string& name : known->optional) names.push_back(name.c_str());
   for (const Attribute& attribute : element.attributes) {
-    const bool is_known =
-        std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
-    const std::string hint = suggestion(attribute.name, element.attributes, optional, known);
-    if (is_known || (hint.empty() && !is_all)) continue;
-    diagnostics_
-        .warning(
-            "unknown-attribute", place(name_span(attribute)),
-            fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, element.name))
-        .hint = hint;
+    if (known->has(attribute.name) || attribute.name.starts_with("xmlns")) continue;
+    if (!suggestion(attribute.name, element.attributes, required, required).empty()) continue;
+    const std::string hint = suggestion(attribute.name, element.attributes, names, names);
+    if (hint.empty() && is_zero(attribute)) continue;  // most likely a default
+    add({name_span(attribute), "unknown-attribute",
+         fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, element.name), hint, 0},
+        unread_);
   }
 }
 
 void ElementReader::ignore(const Element& child, const Element& parent, const Names& names) {
   const std::string hint = suggestion(child.name, parent.children, names, names);
   if (!hint.empty() && hint == did_you_mean(child.name, {"parent", "child", "mass"})) return;
-  if (hint.empty()) {
-    const std::string meaning = mechanical_meaning(child.name);
-    if (meaning.empty()) {
-      ++ignored_[child.name];
-    } else {
-      const std::string message = fmt::format("element '{}' of this '{}' is not read", child.name, parent.name);
-      diagnostics_.warning("mechanics-not-read", place(child.span), message).hint = meaning;
-    }
-    return;
+  const std::string meaning = hint.empty() ? mechanical_meaning(child.name) : "";
+  if (!meaning.empty()) {
+    add({child.span, "mechanics-not-read",
+         fmt::format("element '{}' of this '{}' is not read", child.name, parent.name), meaning, 0},
+        unread_);
+  } else if (is_without_effect(child.name, parent.name)) {
+    ++ignored_[child.name];
+    find_mechanics(child, *source_, unread_);
+  } else {
+    add({child.span, "unknown-element",
+         fmt::format("element '{}' of this '{}' is unknown and ignored", child.name, parent.name), hint, 0},
+        unread_);
   }
-  diagnostics_
-      .warning(
-          "unknown-element", place(child.span),
-          fmt::format("element '{}' of this '{}' is unknown and ignored", child.name, parent.name))
-      .hint = hint;
+}
+
+void ElementReader::report_unread() {
+  std::stable_sort(
+      unread_.begin(), unread_.end(), [](const Unread& a, const Unread& b) { return a.span.begin < b.span.begin; });
+  for (const Unread& finding : unread_) {
+    const std::string times = finding.count == 1 ? "" : fmt::format(" ({} times)", finding.count);
+    diagnostics_.warning(finding.code, place(finding.span), finding.message + times).hint = finding.hint;
+  }
+  unread_.clear();
 }
 
 Name ElementReader::name(const Element& element, const char* attribute) {
@@ -148,8 +169,10 @@ Parts ElementReader::parts(const Element& element, const Names& names) {
               "repeated-element", place(child.span),
               fmt::format("this '{}' has a second '{}', which is ignored", element.name, child.name))
           .notes.push_back({place(first->second->span), "the first one is here"});
-    } else if (!has_parts(child.name)) {
-      for (const Element& inner : child.children) ignore(inner, child, {});
+    } else {
+      check_attributes(child);
+      if (!has_parts(child.name))
+        for (const Element& inner : child.children) ignore(inner, child, {});
     }
   }
   return found;
@@ -259,7 +282,6 @@ Origin ElementReader::origin(const Parts& parts) {
   const auto found = parts.find("origin");
   if (found == parts.end()) return result;
   const Element& element = *found->second;
-  check_attributes(element, {"xyz", "rpy"}, {"xyz", "rpy", "quat_xyzw"}, true);
   if (const Attribute* xyz = find(element, "xyz")) result.xyz = triple(*xyz);
   if (const Attribute* rpy = find(element, "rpy")) {
     result.rpy = triple(*rpy);

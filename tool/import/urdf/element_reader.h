@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "import/urdf/document.h"
+#include "import/urdf/unread.h"
 
 namespace robcogen::import::from_urdf {
 
@@ -54,12 +55,12 @@ class ElementReader {
 
   void report_missing_attributes(const Element& element, const Names& missing);
 
-  // Warns about an attribute that is not read if it may be a misspelling of one of `optional`, or, if `is_all`,
-  // whenever it is not in `known`.
-  void check_attributes(const Element& element, const Names& optional, const Names& known, bool is_all);
+  // Warns about attributes that are not read and not known to be without effect. One that may be a misspelling of a
+  // missing attribute is reported with that.
+  void check_attributes(const Element& element);
 
-  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`, or affects
-  // kinematics or dynamics. A misspelt mandatory element is reported as missing instead.
+  // Counts an element that is not read, or warns about it if it is a misspelling of one of `names`, affects kinematics
+  // or dynamics, or is unknown. A misspelt mandatory element is reported as missing instead.
   void ignore(const Element& child, const Element& parent, const Names& names);
 
   Name name(const Element& element, const char* attribute);
@@ -86,6 +87,9 @@ class ElementReader {
   // Reads the part `origin`; the identity if there is none.
   Origin origin(const Parts& parts);
 
+  // Warns about what is unknown, once for each name.
+  void report_unread();
+
   // The number of elements of each name that were not read.
   const std::map<std::string, int>& ignored() const { return ignored_; }
 
@@ -93,6 +97,7 @@ class ElementReader {
   std::shared_ptr<const Source> source_;
   Diagnostics& diagnostics_;
   std::map<std::string, int> ignored_;
+  std::vector<Unread> unread_;
 
   // A word of an attribute.
   struct Word {
@@ -102,6 +107,8 @@ class ElementReader {
 
   // Splits a value at blanks. Each word has its own place, unless the value contains entities.
   static std::vector<Word> words(const Attribute& attribute);
+  // Whether the value consists of zeros.
+  static bool is_zero(const Attribute& attribute);
   // The name precedes `=` and the value.
   Span name_span(const Attribute& attribute) const;
   Number number(const Word& word, Range range);

@@ -19,7 +19,6 @@ std::string stem_of(const Source& source) {
 Name read_name(const Element& root, const Source& source, ElementReader& reader) {
   const Attribute* name = find(root, "name");
   if (name != nullptr && !name->value.empty()) return {name->value, reader.place(name->span)};
-  reader.check_attributes(root, {"name"}, {"name", "version"}, false);
   const Place place = reader.place(name == nullptr ? root.span : name->span);
   const std::string stem = stem_of(source);
   reader.diagnostics().note("unnamed-robot", place, fmt::format("this 'robot' has no name: it is called '{}'", stem));
@@ -49,7 +48,10 @@ Document read_document(const Element& root, std::shared_ptr<const Source> source
   ElementReader reader(std::move(source), diagnostics);
   document.name = read_name(root, *document.source, reader);
   check_version(root, reader);
+  reader.check_attributes(root);
   for (const Element& child : root.children) {
+    if (child.name == "link" || child.name == "joint" || child.name == "loop" || child.name == "coupling")
+      reader.check_attributes(child);
     if (child.name == "link") {
       document.links.push_back(read_link(child, reader));
     } else if (child.name == "joint") {
@@ -64,6 +66,7 @@ Document read_document(const Element& root, std::shared_ptr<const Source> source
   }
   if (document.links.empty())
     diagnostics.error("no-link", reader.place(root.span), fmt::format("robot '{}' has no link", document.name.text));
+  reader.report_unread();
   document.ignored = reader.ignored();
   return document;
 }

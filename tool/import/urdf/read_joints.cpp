@@ -50,30 +50,42 @@ void read_assembled(const Element& element, Joint& joint, ElementReader& reader)
 Mimic read_mimic(const Element& element, ElementReader& reader) {
   Mimic result;
   result.joint = reader.name(element, "joint");
-  reader.check_attributes(element, {"multiplier", "offset"}, {"joint", "multiplier", "offset"}, false);
   if (const Attribute* found = find(element, "multiplier"))
     result.multiplier = reader.numbers(*found, 1, Range::any)[0];
   if (const Attribute* found = find(element, "offset")) result.offset = reader.numbers(*found, 1, Range::any)[0];
   return result;
 }
 
-// SDF has these attributes, and some converters keep them in a URDF.
-void report_spring(const Element& element, const Joint& joint, ElementReader& reader) {
-  const Attribute* stiffness = find(element, "spring_stiffness");
-  if (stiffness == nullptr || Number::parse(stiffness->value).value_or(Number::rational(1)).is_zero()) return;
-  const char* reference = find(element, "spring_reference") == nullptr ? "" : ", nor is its 'spring_reference'";
-  reader.diagnostics()
-      .warning(
-          "mechanics-not-read", reader.place(stiffness->span),
-          fmt::format("the 'spring_stiffness' of joint '{}' is not read{}", joint.name.text, reference))
-      .hint = "URDF has no springs; a robot document has: spring { stiffness = 20.0  rest = 0.5 }";
+// Attributes of `dynamics` that some programs write. URDF does not say how they act.
+void report_unread_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
+  const auto find_nonzero = [&](const char* name) {
+    const Attribute* found = find(element, name);
+    const bool is_zero = found != nullptr && Number::parse(found->value).value_or(Number::rational(1)).is_zero();
+    return is_zero ? nullptr : found;
+  };
+  const auto report = [&](const Attribute& attribute, const char* addition, const char* hint) {
+    reader.diagnostics()
+        .warning(
+            "mechanics-not-read", reader.place(attribute.span),
+            fmt::format("the '{}' of joint '{}' is not read{}", attribute.name, joint.name.text, addition))
+        .hint = hint;
+  };
+  const bool has_reference = find(element, "spring_reference") != nullptr;
+  for (const char* name : {"spring_stiffness", "stiffness"})
+    if (const Attribute* stiffness = find_nonzero(name))
+      report(
+          *stiffness, has_reference ? ", nor is its 'spring_reference'" : "",
+          "URDF has no springs; a robot document has: spring { stiffness = 20.0  rest = 0.5 }");
+  if (const Attribute* inertia = find_nonzero("rotor_inertia"))
+    report(
+        *inertia, "",
+        "write armature=\"...\": the inertia times the square of the gear ratio, in the unit of the joint");
 }
 
 // Simulators treat a negative value as zero.
 Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader& reader) {
   Dynamics result;
   result.place = reader.place(element.span);
-  reader.check_attributes(element, {"damping", "friction"}, {"damping", "friction"}, false);
   const auto read = [&](const char* attribute) {
     const Attribute* found = find(element, attribute);
     const Number value = found == nullptr ? Number() : reader.numbers(*found, 1)[0];
@@ -87,7 +99,9 @@ Dynamics read_dynamics(const Element& element, const Joint& joint, ElementReader
   };
   result.damping = read("damping");
   result.friction = read("friction");
-  report_spring(element, joint, reader);
+  result.armature = read("armature");
+  if (!result.armature.is_zero()) result.armature_place = reader.place(find(element, "armature")->span);
+  report_unread_dynamics(element, joint, reader);
   return result;
 }
 
@@ -134,7 +148,6 @@ Limit read_limit(const Element& element, const Joint& joint, ElementReader& read
   Limit result;
   const Place own_place = reader.place(element.span);
   const Names known = {"lower", "upper", "effort", "velocity"};
-  reader.check_attributes(element, {"lower", "upper"}, known, false);
   LimitReader read(element, joint, reader);
   result.lower = read.bound("lower"), result.upper = read.bound("upper");
   result.effort = read.maximum("effort"), result.velocity = read.maximum("velocity");
@@ -185,7 +198,7 @@ Joint read_joint(const Element& element, ElementReader& reader) {
   read_assembled(element, result, reader);
   if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = read_mimic(*mimic->second, reader);
   if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
-    result.dynamics = read_dynamics(*dynamics->second, result, reader);
+    result.dynamics = read_dynamics(*dynamics->second, result, reader), result.armature = result.dynamics->armature;
   if (const auto limit = own.find("limit"); limit != own.end()) {
     result.limit = read_limit(*limit->second, result, reader);
   } else if (result.type != JointType::continuous) {

@@ -37,6 +37,20 @@ void note_passive_forces(const Document& document, Diagnostics& diagnostics) {
   }
 }
 
+// Unlike damping and friction, armature is always part of the dynamics: it is an inertia.
+void note_armature(const Document& document, Diagnostics& diagnostics) {
+  std::string list;
+  Place first;
+  for (const Joint& joint : document.joints) {
+    if (!joint.dynamics || joint.dynamics->armature.is_zero()) continue;
+    if (list.empty()) first = joint.dynamics->armature_place;
+    list += fmt::format("{}'{}'", list.empty() ? "" : ", ", joint.name.text);
+  }
+  if (!list.empty())
+    diagnostics.note(
+        "armature-included", first, fmt::format("the armature of these joints is part of the dynamics: {}", list));
+}
+
 // Drops the hints on inertias, which apply to documents with moments about the origin of a frame. In a URDF, moments
 // are about the centre of mass.
 std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
@@ -85,6 +99,7 @@ std::optional<model::KinematicTree> urdf(
   add_loops(document, *topology, identifiers, description, diagnostics);
   if (failed()) return std::nullopt;
   description.uses_passive_forces = options.passive_forces;
+  note_armature(document, diagnostics);
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
   return build_tree(description, diagnostics);
