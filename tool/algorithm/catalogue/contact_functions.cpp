@@ -149,13 +149,12 @@ std::vector<RobotFunction> constrained_forward_dynamics_derivatives_functions(
       "for each joint's position (d_q), velocity (d_qd) and force (d_tau), and for each row of `contact_acceleration` "
       "(d_contact_acceleration). Rows: accelerations of " +
           of_base + "then of the joints, then the contact wrenches.",
-      "Base axes turn with the base: `contact_acceleration` is constant in them, and so are wrenches whose derivatives "
-      "are zero. A displacement of the base changes nothing.",
       kSwitches};
   if (tree.floating_base)
     summary.emplace_back(
         "Columns of the base: by its velocity (d_base_velocity), and a rotation of the base about its own axes "
-        "(d_base_rotation); gravity is fixed in the world and changes in base coordinates.");
+        "(d_base_rotation); gravity is fixed in the world and changes in base coordinates. Wrenches and "
+        "`contact_acceleration` have components in base axes, which turn with the base.");
   std::vector<RobotFunction> list;
   add_overloads(list, tree, group, group, contacts.summary(summary), [&](const std::string& kernel, Loads loads) {
     return constrained_forward_dynamics_derivatives(tree, frames, kernel, loads, formulation);
