@@ -19,6 +19,8 @@
 #       [DERIVATIVES function:input…]
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
+#       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
+#                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs
 #       [CONTACTS frame[:point|:surface]…]
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
@@ -90,7 +92,7 @@ set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_force
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -311,6 +313,10 @@ function(_robcogen_generate_arguments result)
   if(library_DERIVATIVES)
     list(APPEND arguments --derivatives ${library_DERIVATIVES})
   endif()
+  if(NOT "${library_FRAMES}" STREQUAL "")
+    list(JOIN library_FRAMES "," frames)
+    list(APPEND arguments --frames ${frames})
+  endif()
   if(NOT "${library_CONTACTS}" STREQUAL "")
     list(JOIN library_CONTACTS "," contacts)
     list(APPEND arguments --contacts ${contacts})
@@ -444,12 +450,9 @@ function(_robcogen_add_selfcheck target)
   _robcogen_run_selfcheck(${target} robot)
 endfunction()
 
-# A test program compiles longer than it runs: builds of this project do not optimise it, and may use another compiler.
+# A test program compiles longer than it runs: builds of this project do not optimise it.
 function(_robcogen_set_test_options target)
   target_compile_options(${target} PRIVATE ${ROBCOGEN_TEST_OPTIONS})
-  if(ROBCOGEN_TEST_LAUNCHER AND ROBCOGEN_TEST_OPTIONS)
-    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${ROBCOGEN_TEST_LAUNCHER}")
-  endif()
 endfunction()
 
 # The same for self-checks, which include the same headers.

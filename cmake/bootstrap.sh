@@ -3,23 +3,26 @@
 #
 #     cmake/bootstrap.sh demo              builds some robots and runs programs that use them
 #     cmake/bootstrap.sh install PREFIX    builds the generator and installs it with its CMake package
-#     cmake/bootstrap.sh test              builds everything and runs the whole test suite
+#     cmake/bootstrap.sh test              builds and runs the tests of every change: a quarter of an hour
+#     cmake/bootstrap.sh test everything   builds and runs every test, for releases: hours
 #
 # On Debian and its relatives the missing packages are installed by name, with sudo unless this is root. Elsewhere they
 # are listed, and the build continues without them.
 set -euo pipefail
-prefix=${2:+$(realpath --canonicalize-missing "$2")}
+command=${1:-}
+argument=${2:-}
+prefix=${argument:+$(realpath --canonicalize-missing "$argument")}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
-test_packages=(make ccache clang-14 clang-format-14 libgtest-dev librapidcheck-dev libbenchmark-dev
-  libnlopt-dev liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev octave maxima nodejs chromium
+test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-kdl-dev libmujoco-dev octave maxima nodejs
+  chromium python3-dev python3-numpy groff-base)
+more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
-  python3-dev python3-numpy python3-matplotlib mypy groff-base neovim emacs-nox elpa-eglot dpkg-dev
-  colcon python3-colcon-cmake python3-colcon-ros)
+  python3-matplotlib mypy neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros)
 
 usage() {
-  sed -n '2,9s/^# \{0,1\}//p' cmake/bootstrap.sh
+  sed -n '2,10s/^# \{0,1\}//p' cmake/bootstrap.sh
 }
 
 is_installed() {
@@ -74,18 +77,45 @@ install_project() {
   run cmake --install build/release --prefix "$prefix"
 }
 
+# Builds a preset and runs its tests; prints the summary of the run and keeps it in the build folder. Fails if a test does.
 run_tests() {
-  install_missing "${build_packages[@]}" "${test_packages[@]}"
+  local preset=$1
+  shift
+  install_missing "${build_packages[@]}" "$@"
   use_compiler_cache
-  run cmake --preset ci
-  run cmake --build --preset ci
-  run ctest --preset ci
+  local results=build/$preset/results.xml failed=0
+  run cmake --preset "$preset"
+  run cmake --build --preset "$preset"
+  run ctest --preset "$preset" --output-junit "$PWD/$results" || failed=$?
+  summary "$preset" "$results" | tee "build/$preset/summary.txt"
+  return "$failed"
 }
 
-case "${1:-}${prefix:+ PREFIX}" in
+# What a run did: build steps, tests, processor time, and what was skipped and why.
+summary() {
+  local count
+  count=$(grep --count --invert-match '^#' "build/$1/.ninja_log")
+  echo
+  echo "summary of the preset $1"
+  echo "  build steps        $count"
+  sed -n 's/.* tests="\([0-9]*\)".*/  tests              \1/p; s/.* failures="\([0-9]*\)".*/  failed             \1/p;
+          s/.* skipped="\([0-9]*\)".*/  skipped            \1/p' <(tr '\n' ' ' <"$2" | sed 's/>.*//; s/ \(failures\|skipped\)=/\n &/g')
+  times | awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/);
+    printf "  processor seconds  %d\n", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+  awk -F'"' '/<testcase / { name = $2 } /<skipped / { print "  skipped: " name ": " $2 }' "$2"
+}
+
+case "$command${argument:+ ARGUMENT}" in
   demo) demo ;;
-  "install PREFIX") install_project ;;
-  test) run_tests ;;
+  "install ARGUMENT") install_project ;;
+  test) run_tests test "${test_packages[@]}" ;;
+  "test ARGUMENT")
+    if [[ $argument != everything ]]; then
+      usage >&2
+      exit 2
+    fi
+    run_tests everything "${test_packages[@]}" "${more_test_packages[@]}"
+    ;;
   -h | --help) usage ;;
   *)
     usage >&2

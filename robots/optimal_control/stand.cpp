@@ -175,9 +175,7 @@ std::vector<Instant> push(const Standing& s, const Matrix12& K, const Base& velo
       }
       instants.push_back(instant);
     }
-    state = integrate(
-        state, quadruped::Robot::GeneralizedAcceleration{motion.qdd, motion.base_acceleration},
-        kControlStep / kStepsPerControl);
+    state = integrate(state, motion, kControlStep / kStepsPerControl);
   }
   return instants;
 }

@@ -41,7 +41,7 @@ TEST(NamedQuantities, TestTellsNumbersFromNames) {
 }
 
 TEST(NamedQuantities, AreMostOfTheDynamics) {
-  for (const std::string robot : {"hyl", "iiwa14", "quadruped"}) {
+  for (const std::string robot : {"hyl", "puma560", "quadruped"}) {
     Lines lines;
     for (const std::string group :
          {"inverse_dynamics", "bias_forces", "forward_dynamics", "joint_space_inertia", "joint_space_inertia_factor",

@@ -42,22 +42,22 @@ TEST(Allocation, OfPosesAndConversions) {
     to_mujoco(state, *match.order, qpos, qvel);
     state = from_mujoco<State>(qpos, qvel, *match.order);
     back = difference(integrate(state.pose, state.base_velocity, 0.1), start.pose);
-    back = Twist(difference_derivatives(state.pose, start.pose).by_to * back.vector());
+    back = Twist(difference_derivatives(state.pose, start.pose).d_to * back.vector());
   }
   EXPECT_LT((back + 0.1 * start.base_velocity).vector().norm(), 1e-14);
 }
 
 struct Palms {
-  using JointState = centaur::JointState;
-  static auto pose(const JointState& q) { return centaur::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
-  static auto jacobian(const JointState& q) { return centaur::jacobians::fr_left_palm_J_fr_right_palm(q); }
-  static constexpr auto kColumns = centaur::jacobians::fr_left_palm_J_fr_right_palm_columns;
+  using JointState = torso::JointState;
+  static auto pose(const JointState& q) { return torso::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
+  static auto jacobian(const JointState& q) { return torso::jacobians::fr_left_palm_J_fr_right_palm(q); }
+  static constexpr auto kColumns = torso::jacobians::fr_left_palm_J_fr_right_palm_columns;
 };
 
 TEST(Allocation, OfInverseKinematics) {
-  const centaur::JointState q = centaur::JointState::Constant(0.3);
-  const Eigen::Matrix4d target = Palms::pose(centaur::JointState::Constant(0.4));
-  centaur::JointState next;
+  const torso::JointState q = torso::JointState::Constant(0.3);
+  const Eigen::Matrix4d target = Palms::pose(torso::JointState::Constant(0.4));
+  torso::JointState next;
   {
     const NoAllocation during("inverse kinematics");
     next = inverse_kinematics_step(Palms(), q, target, 1e-6);

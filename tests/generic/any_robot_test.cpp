@@ -23,7 +23,7 @@ struct HylParametric {
 
 template <class Case>
 class Any : public ::testing::Test {};
-using Robots = ::testing::Types<Hyl, Puma560, Quadruped, Centaur, HylParametric>;
+using Robots = ::testing::Types<Hyl, Puma560, Quadruped, Torso, HylParametric>;
 TYPED_TEST_SUITE(Any, Robots);
 
 VectorXd random_vector(std::mt19937_64& engine, int size) {

@@ -7,7 +7,7 @@ namespace robcogen::test {
 namespace {
 
 static_assert(FixedBaseRobot<hyl::Robot> && FixedBaseRobot<puma560::Robot>);
-static_assert(FloatingBaseRobot<quadruped::Robot> && FloatingBaseRobot<centaur::Robot>);
+static_assert(FloatingBaseRobot<quadruped::Robot> && FloatingBaseRobot<torso::Robot>);
 static_assert(!FloatingBaseRobot<hyl::Robot> && !FixedBaseRobot<quadruped::Robot>);
 static_assert(HasJointSpaceInertiaFactor<hyl::Robot> && HasJointSpaceInertiaFactor<quadruped::f32::Robot>);
 static_assert(HasEnergy<hyl::Robot> && HasEnergy<quadruped::Robot>);
@@ -56,7 +56,7 @@ const char* base() {
 
 TEST(Concepts, ChooseAmongOverloads) {
   EXPECT_STREQ(base<hyl::Robot>(), "fixed");
-  EXPECT_STREQ(base<centaur::Robot>(), "floating");
+  EXPECT_STREQ(base<torso::Robot>(), "floating");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "poses.h"
 #include "robcogen/concepts.h"
+#include "robcogen/generic/simulation.h"
 #include "robcogen/reference/contacts.h"
 
 namespace robcogen::test {
@@ -107,6 +108,40 @@ TEST(CompiledContacts, PointsSolveTheDenseSystem) {
     for (int i = 0; i < kStates; ++i) compared += robot.compare(engine, active) ? 1 : 0;
     EXPECT_GT(compared, kStates / 2);
   }
+}
+
+// Results are passed on to a simulation: active contacts keep their velocity over a short step, and bounce at an
+// impact.
+TEST(CompiledContacts, MoveAState) {
+  using Robot = quadruped_on_feet::Robot;
+  using Rows = Eigen::Matrix<double, kContactRows<Robot>, 1>;
+  constexpr double kShort = 1e-6, kRest = 0.25;  // s; of the velocity before
+  std::mt19937_64 engine(63);
+  State<Robot> state;
+  for (double& x : state.q) x = 0.5 + reference::uniform(engine, 0.3);
+  for (double& x : state.qd) x = reference::uniform(engine, 1.0);
+  state.pose = random_pose<double>(engine);
+  state.base_velocity = Twist(random_vector<double>(engine), random_vector<double>(engine));
+  const Eigen::Vector4d active = Eigen::Vector4d::Ones();
+  const auto velocity = [](const State<Robot>& s) { return Robot::contact_velocity(s.q, s.qd, s.base_velocity); };
+  const Rows before = velocity(state);
+
+  const auto motion = Robot::constrained_forward_dynamics(
+      state.q, state.qd, Robot::JointState::Zero(), state.base_velocity, Rows::Zero(), active, Rows::Zero(),
+      gravity_in_base(state));
+  // In axes of the world: the base turns during the step.
+  const State<Robot> next = integrate(state, motion, kShort);
+  const Rows after = velocity(next);
+  for (int foot = 0; foot < 4; ++foot) {
+    const Eigen::Vector3d change =
+        next.pose.to_world_axes(after.segment<3>(3 * foot)) - state.pose.to_world_axes(before.segment<3>(3 * foot));
+    EXPECT_LT(change.norm() / kShort, 1e-3) << foot;  // m/s^2
+  }
+
+  const auto impact =
+      Robot::impact(state.q, state.qd, state.base_velocity, Eigen::Vector4d::Constant(kRest), active, Rows::Zero());
+  static_assert(std::is_same_v<decltype(impact.base_velocity_after), Twist>);
+  EXPECT_LT((velocity(after_impact(state, impact)) + kRest * before).norm(), kDense);
 }
 
 TEST(CompiledContacts, SurfacesSolveTheDenseSystem) {

@@ -55,7 +55,7 @@ constexpr int callable() {
 
 template <class R>
 class Gravities : public ::testing::Test {};
-using Robots = ::testing::Types<hyl::Robot, hyl::f32::Robot, quadruped::Robot, quadruped::f32::Robot, centaur::Robot>;
+using Robots = ::testing::Types<hyl::Robot, hyl::f32::Robot, quadruped::Robot, quadruped::f32::Robot, torso::Robot>;
 TYPED_TEST_SUITE(Gravities, Robots);
 
 TYPED_TEST(Gravities, AreAskedForWhereTheBaseFloats) {

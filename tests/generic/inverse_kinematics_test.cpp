@@ -26,18 +26,18 @@ struct QuadrupedFoot {
   static constexpr auto kColumns = quadruped::jacobians::fr_trunk_J_fr_RH_foot_columns;
 };
 // One hand with respect to the other: the columns belong to both arms.
-struct CentaurHands {
-  using JointState = centaur::JointState;
-  static auto pose(const JointState& q) { return centaur::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
-  static auto jacobian(const JointState& q) { return centaur::jacobians::fr_left_palm_J_fr_right_palm(q); }
-  static constexpr auto kColumns = centaur::jacobians::fr_left_palm_J_fr_right_palm_columns;
+struct TorsoHands {
+  using JointState = torso::JointState;
+  static auto pose(const JointState& q) { return torso::transforms::homogeneous::fr_left_palm_X_fr_right_palm(q); }
+  static auto jacobian(const JointState& q) { return torso::jacobians::fr_left_palm_J_fr_right_palm(q); }
+  static constexpr auto kColumns = torso::jacobians::fr_left_palm_J_fr_right_palm_columns;
 };
 
-static_assert(KinematicChain<HylFoot> && KinematicChain<CentaurHands>);
+static_assert(KinematicChain<HylFoot> && KinematicChain<TorsoHands>);
 
 template <class Chain>
 class InverseKinematics : public ::testing::Test {};
-using Chains = ::testing::Types<HylFoot, PumaHand, QuadrupedFoot, CentaurHands>;
+using Chains = ::testing::Types<HylFoot, PumaHand, QuadrupedFoot, TorsoHands>;
 TYPED_TEST_SUITE(InverseKinematics, Chains);
 
 constexpr double kDamping = 1e-8;

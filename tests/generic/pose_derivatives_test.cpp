@@ -60,9 +60,9 @@ TEST(PoseDerivatives, OfIntegrate) {
         derivative_of_pose([&](const Velocity& d) { return integrate(pose, velocity + d, kDt); });
     const Pose at = integrate(pose, velocity, kDt);
     const Velocity by_dt = (1 / kStep) * difference(at, integrate(pose, velocity, kDt + kStep));
-    EXPECT_LT((exact.by_pose - by_pose).norm(), kDifference);
-    EXPECT_LT((exact.by_velocity - by_velocity).norm(), kDifference);
-    EXPECT_LT((exact.by_dt - by_dt).vector().norm(), kDifference);
+    EXPECT_LT((exact.d_pose - by_pose).norm(), kDifference);
+    EXPECT_LT((exact.d_base_velocity - by_velocity).norm(), kDifference);
+    EXPECT_LT((exact.d_dt - by_dt).vector().norm(), kDifference);
   }
 }
 
@@ -75,8 +75,8 @@ TEST(PoseDerivatives, OfDifference) {
     const Matrix6 by_from =
         derivative_of_twist([&](const Velocity& d) { return difference(integrate(from, d, 1), to); });
     const Matrix6 by_to = derivative_of_twist([&](const Velocity& d) { return difference(from, integrate(to, d, 1)); });
-    EXPECT_LT((exact.by_from - by_from).norm(), kDifference);
-    EXPECT_LT((exact.by_to - by_to).norm(), kDifference);
+    EXPECT_LT((exact.d_from - by_from).norm(), kDifference);
+    EXPECT_LT((exact.d_to - by_to).norm(), kDifference);
   }
 }
 
@@ -87,8 +87,8 @@ TEST(PoseDerivatives, InDoubleHaveTheDigitsOfLongDouble) {
     const Velocity same(twist.vector().cast<Real>());
     const auto ours = integrate_derivatives(twist, 1);
     const auto exact = integrate_derivatives(same, 1);
-    EXPECT_LT((ours.by_velocity.cast<Real>() - exact.by_velocity).norm(), 1e-14L) << angle;
-    EXPECT_LT((ours.by_pose.cast<Real>() - exact.by_pose).norm(), 1e-14L) << angle;
+    EXPECT_LT((ours.d_base_velocity.cast<Real>() - exact.d_base_velocity).norm(), 1e-14L) << angle;
+    EXPECT_LT((ours.d_pose.cast<Real>() - exact.d_pose).norm(), 1e-14L) << angle;
   }
 }
 

@@ -1,8 +1,6 @@
 // The robots that generic code is tested on, and an initial state of each.
 #pragma once
 
-#include <centaur/centaur.h>
-#include <centaur/reflection.h>
 #include <gtest/gtest.h>
 #include <hyl/hyl.h>
 #include <hyl/reflection.h>
@@ -10,6 +8,8 @@
 #include <puma560/reflection.h>
 #include <quadruped/quadruped.h>
 #include <quadruped/reflection.h>
+#include <torso/reflection.h>
+#include <torso/torso.h>
 
 #include "robcogen/generic/state.h"
 #include "robcogen/reference/energy.h"
@@ -29,13 +29,13 @@ struct Quadruped {
   using Robot = quadruped::Robot;
   static const reflection::Robot& tables() { return quadruped::reflection::robot; }
 };
-struct Centaur {
-  using Robot = centaur::Robot;
-  static const reflection::Robot& tables() { return centaur::reflection::robot; }
+struct Torso {
+  using Robot = torso::Robot;
+  static const reflection::Robot& tables() { return torso::reflection::robot; }
 };
 
-using AllRobots = ::testing::Types<Hyl, Puma560, Quadruped, Centaur>;
-using FloatingRobots = ::testing::Types<Quadruped, Centaur>;
+using AllRobots = ::testing::Types<Hyl, Puma560, Quadruped, Torso>;
+using FloatingRobots = ::testing::Types<Quadruped, Torso>;
 
 template <class JointState>
 JointState uniform_joints(std::mt19937_64& engine, double limit) {

@@ -29,7 +29,7 @@ using Robots = ::testing::Types<
     hyl::Robot,
     puma560::Robot,
     quadruped::Robot,
-    centaur::Robot,
+    torso::Robot,
     hyl::f32::Robot,
     puma560::f32::Robot,
     quadruped::f32::Robot>;
@@ -100,7 +100,7 @@ template <class R>
 class TrigonometryOfMany : public ::testing::Test {};
 
 using RobotsOfManyJoints =
-    ::testing::Types<puma560::Robot, quadruped::Robot, centaur::Robot, puma560::f32::Robot, quadruped::f32::Robot>;
+    ::testing::Types<puma560::Robot, quadruped::Robot, torso::Robot, puma560::f32::Robot, quadruped::f32::Robot>;
 TYPED_TEST_SUITE(TrigonometryOfMany, RobotsOfManyJoints);
 
 TYPED_TEST(TrigonometryOfMany, ChangesNoBitWhereFunctionsReadAllJoints) {

@@ -5,8 +5,8 @@
 
 #include <puma560/puma560.h>
 #include <puma560/reflection.h>
-#include <quadruped_fixed/quadruped_fixed.h>
-#include <quadruped_fixed/reflection.h>
+#include <quadruped/quadruped.h>
+#include <quadruped/reflection.h>
 
 namespace {
 
@@ -69,7 +69,7 @@ TEST(Levels, AreThoseOfTransformsAndJacobians) {
 // A level stays in use until another one is chosen, for all functions of that robot and for no other robot.
 TEST(Levels, BelongToOneRobot) {
   const auto inertia = [] {
-    return quadruped_fixed::joint_space_inertia(quadruped_fixed::JointState::Constant(0.6)).eval();
+    return quadruped::joint_space_inertia(quadruped::JointState::Constant(0.6)).eval();
   };
   const auto before = inertia();
   puma560::reflection::use_level(Level::baseline);

@@ -72,7 +72,7 @@ TEST(Derivatives, OfInverseDynamicsByBothWays) {
     const Program recursion = algorithm::inverse_dynamics_derivatives(robot, "f", loads);
     const Program plain = algorithm::newton_euler(robot, "f", loads);
     std::vector<std::string> inputs = {"q", "qd", "qdd"};
-    if (robot.floating_base) inputs.insert(inputs.end(), {"base_velocity", "base_acceleration"});
+    if (robot.floating_base) inputs.insert(inputs.end(), {"base_velocity", "base_acceleration", "base_rotation"});
     const Program statements = symbolic::with_derivatives(plain, inputs);
     const Arrays<double> state = random_inputs(plain, seed);
     const Arrays<double> found = symbolic::interpret(recursion, state);

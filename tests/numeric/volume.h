@@ -20,10 +20,9 @@ inline int volume(const char* name, int default_value) {
   return number > 0 ? number : default_value;
 }
 
-// The exhaustive tests take 2,000 robots. With sanitizers a run takes ten times as long, and looks for faults other than
-// wrong numbers.
+// With sanitizers a run takes ten times as long, and looks for faults other than wrong numbers.
 inline int robot_count() {
-  return volume("ROBCOGEN_TEST_ROBOTS", ROBCOGEN_SANITIZED ? 200 : 800);
+  return volume("ROBCOGEN_TEST_ROBOTS", ROBCOGEN_SANITIZED ? 100 : 250);
 }
 inline int state_count() {
   return volume("ROBCOGEN_TEST_STATES", 1);

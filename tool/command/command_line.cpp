@@ -165,6 +165,14 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "or FRAME:point (three rows) and FRAME:surface (six)")
       ->delimiter(',')
       ->allow_extra_args(false);
+  subcommand
+      .add_option(
+          "--frames", model.frames,
+          "Frames for which functions of frames (transforms, Jacobians, world, …) are made, instead of all: a "
+          "comma-separated list of names, or of patterns with * and ?, such as '*_foot'. With --desired, those of its "
+          "pairs that have these frames")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   subcommand.add_flag("--strict", model.strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(
@@ -406,7 +414,8 @@ std::function<Status()> parse_command_line(int argc, char** argv) {
     throw Failure{wrong_usage, explain(application, fault)};
   }
   if (completing->parsed() || describing->parsed()) {
-    return [text = describing->parsed() ? manual(application) : completions(application, shell)] {
+    const ProgramDescription program = describe(application);
+    return [text = describing->parsed() ? manual(program) : completions(program, shell)] {
       write_output(text);
       return ok;
     };

@@ -2,25 +2,23 @@
 
 #include <fmt/format.h>
 
-#include "command/description.h"
-
 namespace robcogen::command {
 namespace {
 
 // A function that bash calls, and zsh with bashcompinit. If it has no suggestion, the shell completes files.
-std::string in_bash(const CLI::App& application) {
+std::string in_bash(const ProgramDescription& program) {
   std::string commands, values, options;
-  for (const CLI::App* subcommand : subcommands_of(application)) {
-    commands += (commands.empty() ? "" : " ") + subcommand->get_name();
+  for (const SubcommandDescription& subcommand : program.subcommands) {
+    commands += (commands.empty() ? "" : " ") + subcommand.name;
     std::string names;
-    for (const OptionDescription& option : options_of(*subcommand)) {
+    for (const OptionDescription& option : subcommand.options) {
       if (option.is_positional) continue;
       names += (names.empty() ? "" : " ") + option.name;
       if (!option.values.empty())
         values += fmt::format(
-            "    \"{} {}\") words=\"{}\" ;;\n", subcommand->get_name(), option.name, fmt::join(option.values, " "));
+            "    \"{} {}\") words=\"{}\" ;;\n", subcommand.name, option.name, fmt::join(option.values, " "));
     }
-    options += fmt::format("    {}) [[ $word == -* ]] && words=\"{}\" ;;\n", subcommand->get_name(), names);
+    options += fmt::format("    {}) [[ $word == -* ]] && words=\"{}\" ;;\n", subcommand.name, names);
   }
   return fmt::format(
       "_robcogen() {{\n"
@@ -41,13 +39,13 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string in_fish(const CLI::App& application) {
+std::string in_fish(const ProgramDescription& program) {
   std::string text;
-  for (const CLI::App* subcommand : subcommands_of(application)) {
-    const std::string& name = subcommand->get_name();
+  for (const SubcommandDescription& subcommand : program.subcommands) {
+    const std::string& name = subcommand.name;
     text += fmt::format(
-        "complete -c robcogen -n __fish_use_subcommand -a {} -d {}\n", name, quoted(subcommand->get_description()));
-    for (const OptionDescription& option : options_of(*subcommand)) {
+        "complete -c robcogen -n __fish_use_subcommand -a {} -d {}\n", name, quoted(subcommand.description));
+    for (const OptionDescription& option : subcommand.options) {
       if (option.is_positional) continue;
       std::string line = fmt::format(
           "complete -c robcogen -n '__fish_seen_subcommand_from {}' -l {} -d {}", name, option.name.substr(2),
@@ -68,15 +66,14 @@ const std::vector<std::string>& shells() {
   return all;
 }
 
-std::string completions(const CLI::App& application, const std::string& shell) {
-  if (shell == "fish") return in_fish(application);
-  if (shell == "bash") return in_bash(application);
+std::string completions(const ProgramDescription& program, const std::string& shell) {
+  if (shell == "fish") return in_fish(program);
+  if (shell == "bash") return in_bash(program);
   // This also works where zsh finds functions by their file names: the first completion calls the file, which must
   // complete at once.
   return "#compdef robcogen\n(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
          "autoload -U +X bashcompinit && bashcompinit\n" +
-         in_bash(application) +
-         "if [[ $funcstack[1] == _robcogen ]]; then _bash_complete -o default -F _robcogen; fi\n";
+         in_bash(program) + "if [[ $funcstack[1] == _robcogen ]]; then _bash_complete -o default -F _robcogen; fi\n";
 }
 
 }  // namespace robcogen::command

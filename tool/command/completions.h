@@ -1,9 +1,10 @@
-// Completion of the command line in shells, derived from its own description.
+// Completion of the command line in shells, derived from its description.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "command/description.h"
 
 namespace robcogen::command {
 
@@ -11,6 +12,6 @@ namespace robcogen::command {
 const std::vector<std::string>& shells();
 
 // A script for one of these shells. It completes subcommands, options, and the values of options that have a choice.
-std::string completions(const CLI::App& application, const std::string& shell);
+std::string completions(const ProgramDescription& program, const std::string& shell);
 
 }  // namespace robcogen::command

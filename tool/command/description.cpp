@@ -1,5 +1,6 @@
 #include "command/description.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
 
@@ -48,8 +49,6 @@ std::string in_help(const std::string& remarks, const std::string& examples) {
   return remarks + (remarks.empty() ? "" : "\n\n") + (is_one ? "Example:\n" : "Examples:\n") + examples;
 }
 
-}  // namespace
-
 std::vector<OptionDescription> options_of(const CLI::App& subcommand) {
   std::vector<OptionDescription> result;
   for (const CLI::Option* option : subcommand.get_options()) {
@@ -71,8 +70,15 @@ std::vector<OptionDescription> options_of(const CLI::App& subcommand) {
   return result;
 }
 
-std::vector<const CLI::App*> subcommands_of(const CLI::App& application) {
-  return application.get_subcommands([](const CLI::App* subcommand) { return !subcommand->get_name().empty(); });
+}  // namespace
+
+ProgramDescription describe(const CLI::App& application) {
+  ProgramDescription program;
+  for (const CLI::App* subcommand : application.get_subcommands(nullptr))
+    program.subcommands.push_back(
+        {subcommand->get_name(), subcommand->get_description(), options_of(*subcommand), subcommand->get_footer()});
+  program.footer = application.get_footer();
+  return program;
 }
 
 void add_examples(CLI::App& application) {

@@ -1,9 +1,13 @@
-// The command line as data, derived from its own declaration, for completions and the manual page.
+// The command line as data, derived from its own declaration, for completions and the manual page. Only the sources
+// that declare the command line, or read the declaration, include the headers of CLI11: they take seconds to compile.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace robcogen::command {
 
@@ -16,9 +20,19 @@ struct OptionDescription {
   bool is_positional = false;
 };
 
-std::vector<OptionDescription> options_of(const CLI::App& subcommand);
+struct SubcommandDescription {
+  std::string name;
+  std::string description;
+  std::vector<OptionDescription> options;
+  std::string footer;  // remarks and examples
+};
 
-std::vector<const CLI::App*> subcommands_of(const CLI::App& application);
+struct ProgramDescription {
+  std::vector<SubcommandDescription> subcommands;
+  std::string footer;
+};
+
+ProgramDescription describe(const CLI::App& application);
 
 // Adds examples to the end of the help of every subcommand and of the program itself.
 void add_examples(CLI::App& application);

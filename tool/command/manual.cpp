@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "command/description.h"
 #include "driver/driver.h"
 
 namespace robcogen::command {
@@ -53,19 +52,18 @@ std::string option_entry(const OptionDescription& option) {
   return text;
 }
 
-std::string synopsis(const CLI::App& subcommand, const std::vector<OptionDescription>& options) {
-  std::string text = fmt::format(".PP\n\\fBrobcogen {}\\fR", in_roff(subcommand.get_name()));
-  for (const OptionDescription& option : options)
+std::string synopsis(const SubcommandDescription& subcommand) {
+  std::string text = fmt::format(".PP\n\\fBrobcogen {}\\fR", in_roff(subcommand.name));
+  for (const OptionDescription& option : subcommand.options)
     if (option.is_positional) text += fmt::format(" \\fI{}\\fR", in_roff(option.name));
   return text + " [\\fIoption\\fR \\&...]\n";
 }
 
-std::string section(const CLI::App& subcommand) {
-  const std::vector<OptionDescription> options = options_of(subcommand);
-  std::string text = ".SS " + in_roff(subcommand.get_name()) + "\n" + in_roff(subcommand.get_description()) + ".\n";
-  text += synopsis(subcommand, options);
-  for (const OptionDescription& option : options) text += option_entry(option);
-  return text + verbatim(subcommand.get_footer());
+std::string section(const SubcommandDescription& subcommand) {
+  std::string text = ".SS " + in_roff(subcommand.name) + "\n" + in_roff(subcommand.description) + ".\n";
+  text += synopsis(subcommand);
+  for (const OptionDescription& option : subcommand.options) text += option_entry(option);
+  return text + verbatim(subcommand.footer);
 }
 
 constexpr const char* kStart =
@@ -89,10 +87,10 @@ constexpr const char* kEnd =
 
 }  // namespace
 
-std::string manual(const CLI::App& application) {
+std::string manual(const ProgramDescription& program) {
   std::string text = fmt::format(".TH ROBCOGEN 1 \"\" \"robcogen {}\" \"User Commands\"\n", driver::kVersion);
-  text += kStart + verbatim(application.get_footer()) + ".SH COMMANDS\n";
-  for (const CLI::App* subcommand : subcommands_of(application)) text += section(*subcommand);
+  text += kStart + verbatim(program.footer) + ".SH COMMANDS\n";
+  for (const SubcommandDescription& subcommand : program.subcommands) text += section(subcommand);
   return text + kEnd;
 }
 

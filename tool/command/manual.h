@@ -1,12 +1,13 @@
-// The manual page of the command line, derived from its own description.
+// The manual page of the command line, derived from its description.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "command/description.h"
 
 namespace robcogen::command {
 
 // The page robcogen.1, in man(7) macros.
-std::string manual(const CLI::App& application);
+std::string manual(const ProgramDescription& program);
 
 }  // namespace robcogen::command

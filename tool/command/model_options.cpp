@@ -84,8 +84,11 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups, Diagnostics& diagnostics)
     const {
   require_urdf(file, urdf);
-  if (!contacts.empty() && !driver::is_robot(driver::language_of(file)))
-    throw Failure{wrong_usage, "robcogen: error: --contacts applies to robots only, not to motions and transforms"};
+  if ((!contacts.empty() || !frames.empty()) && !driver::is_robot(driver::language_of(file)))
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: {} applies to robots only, not to motions and transforms",
+                         contacts.empty() ? "--frames" : "--contacts")};
   if (!quiet) report_missing_folders(import_folders, error_format);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
@@ -96,6 +99,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.groups = named_groups(groups);
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
+  options.frames = frames;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));

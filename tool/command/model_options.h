@@ -33,6 +33,7 @@ struct ModelOptions {
   std::string file;
   std::string desired;
   std::vector<std::string> contacts;  // for robots
+  std::vector<std::string> frames;    // for robots: names or patterns
   bool strict = false;
   import::UrdfOptions urdf;
   std::vector<std::filesystem::path> import_folders;

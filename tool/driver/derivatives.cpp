@@ -33,6 +33,7 @@ std::string text_of(const Derivative& derivative) {
 }
 
 bool takes(const Program& program, const std::string& input) {
+  if (input == symbolic::kBaseRotation) return symbolic::orientation_of_base(program) != nullptr;
   return std::any_of(
       program.inputs.begin(), program.inputs.end(), [&](const auto& array) { return array.name == input; });
 }
@@ -66,10 +67,19 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
       if (std::count(known.begin(), known.end(), array.name) == 0) known.push_back(array.name);
     for (const symbolic::OutputArray& array : program->outputs) results.push_back(array.name);
   }
+  const std::string arguments = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
+  const bool turns = std::any_of(
+      all.begin(), all.end(), [](const Program* program) { return takes(*program, symbolic::kBaseRotation); });
+  if (turns) known.emplace_back(symbolic::kBaseRotation);
   for (const std::string& input : derivative.inputs) {
     if (std::count(known.begin(), known.end(), input) > 0) continue;
+    if (input == symbolic::kBaseRotation)
+      refuse(
+          derivative, fmt::format(
+                          "{} takes {}, neither gravity nor the pose of the base, and does not depend on how the base "
+                          "is oriented [no-orientation]",
+                          derivative.function, arguments));
     const bool is_result = std::count(results.begin(), results.end(), input) > 0;
-    const std::string arguments = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
     refuse(
         derivative,
         fmt::format(
@@ -129,8 +139,9 @@ Function differentiated(
   std::vector<symbolic::DerivativeBlock> blocks;
   const auto values = static_cast<int>(function.program.outputs.size());
   int place = values;
-  bool is_by_turns = false, has_followers = false;
-  for (const std::string& input : derivative.inputs)
+  bool is_by_turns = false, has_followers = false, is_by_rotation = false;
+  for (const std::string& input : derivative.inputs) {
+    is_by_rotation = is_by_rotation || input == symbolic::kBaseRotation;
     for (int k = 0; k < values; ++k, ++place) {
       for (const symbolic::InputArray& array : function.program.inputs) {
         if (array.name != input) continue;
@@ -139,6 +150,7 @@ Function differentiated(
       }
       blocks.push_back({k, input, place});
     }
+  }
   function.derivatives = std::move(blocks);
   function.program = differentiated(function.program, derivative, mode, rates, hint);
   function.name += suffix_of(derivative);
@@ -146,6 +158,11 @@ Function differentiated(
   if (is_by_turns)
     function.summary.emplace_back(
         "A quaternion has three columns in place of four: rotations (rad) about the axes of the child.");
+  if (is_by_rotation)
+    function.summary.emplace_back(
+        "`base_rotation` has three columns: rotations (rad) of the base about its own axes; gravity is fixed in the "
+        "world "
+        "and changes in base coordinates.");
   if (has_followers)
     function.summary.emplace_back("The last elements of q have no columns: they follow the others through the loops.");
   return function;

@@ -11,6 +11,7 @@
 #include "driver/parameter_list.h"
 #include "export/frames.h"
 #include "export/kinematics.h"
+#include "import/frame_patterns.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 #include "import/mjcf.h"
@@ -111,25 +112,42 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
         "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
 }
 
-// The contact frames of an option. The option's text is a source of its own.
-std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words, Diagnostics& diagnostics) {
-  const auto source = std::make_shared<const Source>("--contacts", fmt::format("{}", fmt::join(words, " ")));
-  std::vector<import::NamedContact> contacts;
+// The places of an option's words. Its text is a source of its own.
+std::vector<Place> places_of(const std::string& option, const std::vector<std::string>& words) {
+  const auto source = std::make_shared<const Source>(option, fmt::format("{}", fmt::join(words, " ")));
+  std::vector<Place> places;
   std::size_t begin = 0;
   for (const std::string& word : words) {
-    const std::size_t colon = word.rfind(':');
-    const std::string frame = word.substr(0, colon),
-                      kind = colon == std::string::npos ? "point" : word.substr(colon + 1);
+    places.push_back({source, {begin, begin + word.size()}});
+    begin += word.size() + 1;
+  }
+  return places;
+}
+
+std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words, Diagnostics& diagnostics) {
+  const std::vector<Place> places = places_of("--contacts", words);
+  std::vector<import::NamedContact> contacts;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::size_t colon = words[k].rfind(':');
+    const std::string frame = words[k].substr(0, colon),
+                      kind = colon == std::string::npos ? "point" : words[k].substr(colon + 1);
     if (kind != "point" && kind != "surface") {
-      const Place place = {source, {begin + colon, begin + word.size()}};
+      Place place = places[k];
+      place.span.begin += colon;
       Diagnostic& error = diagnostics.error(
           "unknown-contact-kind", place, fmt::format("'{}' is not a kind of contact: point or surface", kind));
       error.hint = did_you_mean(kind, {"point", "surface"});
     }
-    contacts.push_back({frame, kind == "surface", {source, {begin, begin + word.size()}}});
-    begin += word.size() + 1;
+    contacts.push_back({frame, kind == "surface", places[k]});
   }
   return contacts;
+}
+
+std::vector<import::FramePattern> frame_patterns(const std::vector<std::string>& words) {
+  const std::vector<Place> places = places_of("--frames", words);
+  std::vector<import::FramePattern> patterns;
+  for (std::size_t k = 0; k < words.size(); ++k) patterns.push_back({words[k], places[k]});
+  return patterns;
 }
 
 void require_contacts(const Robot& robot, const std::vector<std::string>& groups, Diagnostics& diagnostics) {
@@ -143,7 +161,8 @@ void require_contacts(const Robot& robot, const std::vector<std::string>& groups
           .hint = "name them: --contacts FRAME… (CONTACTS in CMake), or 'Contacts { … }' in the desired transforms";
 }
 
-// The transforms and contacts to generate, for a robot that has all groups that were asked for.
+// The transforms and contacts to generate, for a robot that has all groups that were asked for. All functions of frames
+// follow from these pairs, so that options limit the frames here and nowhere else.
 model::DesiredTransforms desired_of(
     const model::KinematicTree& tree,
     const LoadOptions& options,
@@ -154,6 +173,10 @@ model::DesiredTransforms desired_of(
         language::desired::parse(source_of(*options.desired, options.open_texts), diagnostics);
     if (diagnostics.has_errors()) return result;
     result = import::desired_transforms(list, tree, diagnostics);
+    if (!options.frames.empty())
+      result = import::limited_by_patterns(result, frame_patterns(options.frames), tree, diagnostics);
+  } else if (!options.frames.empty()) {
+    result = import::desired_by_patterns(frame_patterns(options.frames), tree, diagnostics);
   }
   if (!options.contacts.empty())
     result.contacts = import::contact_frames(named_contacts(options.contacts, diagnostics), tree, diagnostics);

@@ -253,9 +253,8 @@ bool is_identity(const Placement& placement) {
 
 }  // namespace
 
-DesiredTransforms default_desired(const KinematicTree& tree) {
-  DesiredTransforms desired;
-  const Frame base = link_frame(tree, 0);
+std::vector<Frame> default_frames(const KinematicTree& tree) {
+  std::vector<Frame> frames;
   for (const Frame& frame : tree.frames()) {
     if (frame.kind == Frame::Kind::joint) continue;
     const int link = tree.link_of(frame);
@@ -263,11 +262,39 @@ DesiredTransforms default_desired(const KinematicTree& tree) {
     if (is_link && (link == 0 || tree.links[at(link)].is_virtual || has_frame_of_its_name(tree, link))) continue;
     const bool is_the_base =
         link == 0 && is_named_after_its_link(tree, frame) && is_identity(tree.user_frames[at(frame.index)].placement);
-    if (is_the_base) continue;
-    desired.transforms.push_back({base, frame});
-    desired.transforms.push_back({frame, base});
-    const bool is_leaf = is_link && tree.links[at(link)].child_joints.empty();
-    if (is_leaf || !is_link) desired.jacobians.push_back({base, frame});
+    if (!is_the_base) frames.push_back(frame);
+  }
+  return frames;
+}
+
+namespace {
+
+void add_transforms(const KinematicTree& tree, const Frame& frame, DesiredTransforms& desired) {
+  const Frame base = link_frame(tree, 0);
+  desired.transforms.push_back({base, frame});
+  desired.transforms.push_back({frame, base});
+}
+
+}  // namespace
+
+DesiredTransforms default_desired(const KinematicTree& tree) {
+  DesiredTransforms desired;
+  for (const Frame& frame : default_frames(tree)) {
+    add_transforms(tree, frame, desired);
+    const bool is_link = frame.kind == Frame::Kind::link;
+    const bool is_leaf = is_link && tree.links[at(tree.link_of(frame))].child_joints.empty();
+    if (is_leaf || !is_link) desired.jacobians.push_back({link_frame(tree, 0), frame});
+  }
+  return desired;
+}
+
+DesiredTransforms desired_of_frames(const KinematicTree& tree, const std::vector<Frame>& frames) {
+  DesiredTransforms desired;
+  const Frame base = link_frame(tree, 0);
+  for (const Frame& frame : frames) {
+    if (frame.name == base.name) continue;
+    add_transforms(tree, frame, desired);
+    desired.jacobians.push_back({base, frame});
   }
   return desired;
 }

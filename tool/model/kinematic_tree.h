@@ -276,9 +276,16 @@ struct DesiredTransforms {
   std::vector<ContactFrame> contacts = {};
 };
 
-// The default: transforms of every link frame and user frame to and from the base frame, and Jacobians of every user
-// frame and every leaf link relative to the base. If a link has a user frame of its own name, that frame stands for the
-// link.
+// Every link frame and user frame except that of the base. If a link has a user frame of its own name, that frame
+// stands for the link.
+std::vector<Frame> default_frames(const KinematicTree& tree);
+
+// The default: transforms of these frames to and from the base frame, and Jacobians of every user frame and every leaf
+// link relative to the base.
 DesiredTransforms default_desired(const KinematicTree& tree);
+
+// For frames that are named one by one: transforms of each to and from the base frame, and its Jacobian relative to the
+// base. The base frame itself has none.
+DesiredTransforms desired_of_frames(const KinematicTree& tree, const std::vector<Frame>& frames);
 
 }  // namespace robcogen::model

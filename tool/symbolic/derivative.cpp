@@ -193,20 +193,32 @@ Blocks reverse_blocks(Differentiated& d, const Indices& outputs, const std::vect
   return blocks;
 }
 
+// Applies `change` to each row of a matrix that is stored column by column and has a column for each variable.
+template <class Change>
+std::vector<Expression> with_changed_rows(
+    const std::vector<Expression>& columns,
+    std::size_t variables,
+    std::size_t kept,
+    const Change& change) {
+  const std::size_t rows = columns.size() / variables;
+  std::vector<Expression> result(rows * kept);
+  for (std::size_t r = 0; r < rows; ++r) {
+    std::vector<Expression> row;
+    for (std::size_t c = 0; c < variables; ++c) row.push_back(columns[r + c * rows]);
+    const std::vector<Expression> changed = change(row);
+    for (std::size_t c = 0; c < kept; ++c) result[r + c * rows] = changed[c];
+  }
+  return result;
+}
+
 // `by_turns` for each row of a matrix that is stored column by column.
 std::vector<Expression> columns_by_turns(
     const InputArray& array,
     const std::vector<Expression>& q,
     const std::vector<Expression>& columns) {
-  const std::size_t rows = columns.size() / q.size(), kept = q.size() - array.quaternions.size();
-  std::vector<Expression> result(rows * kept);
-  for (std::size_t r = 0; r < rows; ++r) {
-    std::vector<Expression> row;
-    for (std::size_t c = 0; c < q.size(); ++c) row.push_back(columns[r + c * rows]);
-    const std::vector<Expression> turned = by_turns(array, q, row);
-    for (std::size_t c = 0; c < kept; ++c) result[r + c * rows] = turned[c];
-  }
-  return result;
+  return with_changed_rows(
+      columns, q.size(), q.size() - array.quaternions.size(),
+      [&](const std::vector<Expression>& row) { return by_turns(array, q, row); });
 }
 
 // The derivatives by the elements of an input that do not follow others, from those by all elements (with rotations in
@@ -238,7 +250,37 @@ std::string name_of_block(const Program& program, const OutputArray& of, const s
   return program.outputs.size() == 1 && of.name != name ? name : of.name + "_" + name;
 }
 
+// Derivatives by rotations of the base about its own axes, from those by gravity in base coordinates: the row D becomes
+// D x gravity.
+std::vector<Expression> by_rotation_of_base(const std::vector<Expression>& gravity, const std::vector<Expression>& d) {
+  std::vector<Expression> result;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+    result.push_back(d[y] * gravity[z] - d[z] * gravity[y]);
+  }
+  return result;
+}
+
 enum class Mode { forward, reverse };
+
+Blocks blocks_by(Differentiated& d, const Indices& outputs, const std::vector<Expression>& variables, Mode mode) {
+  return mode == Mode::forward ? forward_blocks(d, outputs, variables) : reverse_blocks(d, outputs, variables);
+}
+
+// By kBaseRotation.
+Blocks blocks_by_rotation(Differentiated& d, const Program& program, const Indices& outputs, Mode mode) {
+  const InputArray* orientation = orientation_of_base(program);
+  if (orientation == nullptr) throw std::logic_error("the program does not know how the base is oriented");
+  const bool is_pose = orientation->role == Role::base_pose;
+  std::vector<Expression> variables = d.input(orientation->name);
+  variables.resize(is_pose ? 4 : 3);
+  Blocks columns = blocks_by(d, outputs, variables, mode);
+  for (std::vector<Expression>& block : columns)
+    block = with_changed_rows(block, variables.size(), 3, [&](const std::vector<Expression>& row) {
+      return is_pose ? by_turns(*orientation, variables, row) : by_rotation_of_base(variables, row);
+    });
+  return columns;
+}
 
 // nullopt if it takes more than `most` expressions.
 std::optional<Program> differentiated(
@@ -252,17 +294,24 @@ std::optional<Program> differentiated(
   Indices all;
   for (std::size_t k = 0; k < program.outputs.size(); ++k) all.push_back(k);
   for (const std::string& input : inputs) {
-    const std::vector<Expression> variables = d.input(input);
     d.graph().begin_section("derivatives by " + input, "d_" + input);
-    const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
-    Blocks columns = blocks(d, all, variables);
-    if (d.is_full()) return std::nullopt;
-    const InputArray& array = array_of(program, input);
-    const std::size_t count = columns_by(array);
-    for (std::vector<Expression>& block : columns) {
-      if (!array.quaternions.empty()) block = columns_by_turns(array, variables, block);
-      block = with_followers(d, array, rates, block);
+    Blocks columns;
+    std::size_t count = 3;
+    if (input == kBaseRotation) {
+      columns = blocks_by_rotation(d, program, all, mode);
+    } else {
+      const InputArray& array = array_of(program, input);
+      const std::vector<Expression> variables = d.input(input);
+      columns = blocks_by(d, all, variables, mode);
+      count = columns_by(array);
+      if (!d.is_full()) {
+        for (std::vector<Expression>& block : columns) {
+          if (!array.quaternions.empty()) block = columns_by_turns(array, variables, block);
+          block = with_followers(d, array, rates, block);
+        }
+      }
     }
+    if (d.is_full()) return std::nullopt;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
       d.add_output(
@@ -273,6 +322,13 @@ std::optional<Program> differentiated(
 }
 
 }  // namespace
+
+const InputArray* orientation_of_base(const Program& program) {
+  const auto place = std::find_if(program.inputs.begin(), program.inputs.end(), [](const InputArray& array) {
+    return array.role == Role::gravity || array.role == Role::base_pose;
+  });
+  return place == program.inputs.end() ? nullptr : &*place;
+}
 
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs) {
   return *differentiated(program, inputs, Mode::forward, std::numeric_limits<std::size_t>::max(), {});
@@ -313,8 +369,7 @@ Program second_derivatives(const Program& gradient, const Pairs& pairs, Mode mod
   for (const auto& [of, by] : pairs) {
     const std::vector<Expression> variables = d.input(by);
     d.graph().begin_section("derivatives of the gradient by " + of + " and " + by, "d_" + of + "_" + by);
-    const auto blocks = mode == Mode::forward ? forward_blocks : reverse_blocks;
-    std::vector<Expression> block = blocks(d, {place_of_output(gradient, "d_" + of)}, variables).front();
+    std::vector<Expression> block = blocks_by(d, {place_of_output(gradient, "d_" + of)}, variables, mode).front();
     const InputArray& array = array_of(gradient, by);
     const std::size_t rows = variables.empty() ? 0 : block.size() / variables.size();
     const std::size_t columns = columns_by(array);

@@ -20,6 +20,16 @@ struct DerivativeBlock {
   int place = 0;
 };
 
+// Programs that know how the base is oriented have derivatives by this too, as if it were an input: three columns, for
+// small rotations (rad) of the base about its own axes. Gravity is fixed in the world, so that the input of this role,
+// in base coordinates, becomes gravity - turn x gravity. Velocities and accelerations of the base, in base coordinates,
+// stay the same.
+inline constexpr const char* kBaseRotation = "base_rotation";
+
+// The input from which a program knows how the base is oriented: gravity, or the pose of the base; null if there is
+// none.
+const InputArray* orientation_of_base(const Program& program);
+
 // The derivative of an expression of few operations by an input.
 Expression derivative(const Expression& of, const Expression& by);
 
@@ -41,6 +51,7 @@ enum class DerivativeMode { forward, cheaper };
 // `d_q`: a row for each element of y, a column for each element of q. The program must not have lanes.
 // A unit quaternion has three columns instead of four, by a rotation (rad) about each axis of the rotated frame.
 // Elements that follow others (InputArray::followers) have no columns: they move with the elements that they follow.
+// `inputs` may contain kBaseRotation if orientation_of_base(program) is an input.
 Program with_derivatives(const Program& program, const std::vector<std::string>& inputs);
 
 // How the followers among the elements of an input depend on the others: a program whose inputs are inputs of the

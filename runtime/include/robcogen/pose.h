@@ -167,9 +167,9 @@ BasicTwist<Scalar> difference(const BasicBasePose<Scalar>& from, const BasicBase
 // becomes integrate(pose, d, 1).
 template <class Scalar>
 struct IntegrateDerivatives {
-  Eigen::Matrix<Scalar, 6, 6> by_pose;
-  Eigen::Matrix<Scalar, 6, 6> by_velocity;
-  BasicTwist<Scalar> by_dt;
+  Eigen::Matrix<Scalar, 6, 6> d_pose;
+  Eigen::Matrix<Scalar, 6, 6> d_base_velocity;
+  BasicTwist<Scalar> d_dt;
 };
 
 // Derivatives of integrate(pose, base_velocity, dt), which do not depend on the pose.
@@ -185,8 +185,8 @@ IntegrateDerivatives<Scalar> integrate_derivatives(
 
 template <class Scalar>
 struct DifferenceDerivatives {
-  Eigen::Matrix<Scalar, 6, 6> by_from;
-  Eigen::Matrix<Scalar, 6, 6> by_to;
+  Eigen::Matrix<Scalar, 6, 6> d_from;
+  Eigen::Matrix<Scalar, 6, 6> d_to;
 };
 
 // Derivatives of difference(from, to). Like it, they jump where the rotation passes half a turn.

@@ -204,6 +204,13 @@ struct Function {
   void (*call_core)(const double* inputs, const double* sin_q, const double* cos_q, double* outputs) noexcept = nullptr;
 };
 
+// What one column of a derivative varies.
+enum class Variation : unsigned char {
+  of_input,            // the input of its index
+  of_gravity_in_base,  // gravity, three inputs: the base rotates about its own axes
+  of_base_pose,        // seven inputs: the base rotates about its own axes; after three columns, its position changes
+};
+
 // Derivatives of results of a function by an input, which are among the results of the same function.
 struct Derivative {
   const char* name;    // `inverse_dynamics_d_q: tau by q`
@@ -212,6 +219,7 @@ struct Derivative {
   int input, columns;  // index of the first input, and number of inputs
   int value, rows;     // index of the first result, and number of results
   int place;           // index of the first derivative among the results; one column for each input
+  Variation variation = Variation::of_input;
 };
 
 // The function of the same name over n states. `parameters` is the cache of a robot with parameters, which is not among

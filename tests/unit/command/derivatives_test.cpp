@@ -1,6 +1,8 @@
 // The option `--derivatives` of the subcommands: results compared with differences, and messages.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -115,6 +117,53 @@ TEST(Derivatives, OfContacts) {
   EXPECT_NE(ops.output.find("\"contact_jacobian_d_parameters\""), std::string::npos) << ops.errors;
 }
 
+// The base turns about its own axes, under gravity that is fixed in the world.
+TEST(Derivatives, ByTheRotationOfTheBase) {
+  const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/quadruped/quadruped.kindsl";
+  const json zero = std::vector<double>(12, 0.2);
+  const auto at = [&](std::size_t axis, double step) {
+    const std::size_t y = (axis + 1) % 3, z = (axis + 2) % 3;
+    const std::array<double, 3> g = {1.0, 2.0, -9.0};
+    std::array<double, 3> turned = g;
+    turned[y] = std::cos(step) * g[y] + std::sin(step) * g[z];
+    turned[z] = std::cos(step) * g[z] - std::sin(step) * g[y];
+    return json{
+        {"q", zero},
+        {"qd", zero},
+        {"qdd", zero},
+        {"gravity", turned},
+        {"base_velocity", {1, 2, 3, 4, 5, 6}},
+        {"base_acceleration", {6, 5, 4, 3, 2, 1}}};
+  };
+  const std::string options =
+      "--derivatives inverse_dynamics_fully_actuated:base_rotation world.position_fr_LF_foot:base_rotation";
+  const json found = results_of(model, "inverse_dynamics_fully_actuated_d_base_rotation", options, at(0, 0));
+  constexpr double kStep = 1e-4;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const json after = results_of(model, "inverse_dynamics_fully_actuated", "", at(axis, kStep));
+    const json before = results_of(model, "inverse_dynamics_fully_actuated", "", at(axis, -kStep));
+    for (const char* result : {"tau", "base_wrench"}) {
+      const std::vector<double> a = flat(after[result]), b = flat(before[result]);
+      const json& rows = found[std::string(result) + "_d_base_rotation"];
+      ASSERT_EQ(rows.size(), a.size());
+      for (std::size_t r = 0; r < a.size(); ++r) {
+        ASSERT_EQ(rows[r].size(), 3U);
+        EXPECT_NEAR(rows[r][axis].get<double>(), (a[r] - b[r]) / (2 * kStep), 1e-5) << result << r << ' ' << axis;
+      }
+    }
+  }
+
+  // The pose of the base holds its rotation too: a foot at p turns with the velocity axis x p.
+  const std::string foot = "world.position_fr_LF_foot";
+  const json pose = {{"q", zero}, {"base_pose", {1, 0, 0, 0, 0, 0, 0}}};
+  const json turned = results_of(model, foot + "_d_base_rotation", options, pose);
+  const std::vector<double> p = results_of(model, foot, "", pose)["p"];
+  const double expected[3][3] = {{0, p[2], -p[1]}, {-p[2], 0, p[0]}, {p[1], -p[0], 0}};
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(turned["d_base_rotation"][r][axis].get<double>(), expected[r][axis], 1e-14);
+}
+
 TEST(Derivatives, OfTransforms) {
   expect_derivatives(
       kEuler, "transforms.motion.S_X_zyx", "variables", "X", {"a", "b", "c"},
@@ -176,6 +225,11 @@ INSTANTIATE_TEST_SUITE_P(
             "'qq' is not an argument of inverse_dynamics, which takes parameters, q, qd, qdd, gravity, external "
             "[unknown-argument]\nhint: did you mean 'qd'?"},
         Fault{"inverse_dynamics:tau", "'tau' is a result, not an argument of inverse_dynamics, which takes parameters"},
+        Fault{
+            "joint_space_inertia:base_rotation",
+            "joint_space_inertia takes parameters, q, neither gravity nor the pose of the base, and does not depend on "
+            "how the base is oriented [no-orientation]"},
+        Fault{"inverse_dynamics:base_rotatoin", "hint: did you mean 'base_rotation'?"},
         Fault{"inverse_dynamics:0", "'0' is not the name of an input"},
         Fault{
             "inverse_dynamics",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithm/catalogue/catalogue.h"
 #include "algorithm/catalogue/transform_functions.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "documents.h"
@@ -170,6 +171,88 @@ TEST_F(Load, ContactsOfAnOptionTakeThePlaceOfTheList) {
   EXPECT_EQ(contacts({.desired = list}), "fr_upper* ");
   EXPECT_EQ(contacts({.desired = list, .contacts = {"fr_lower", "fr_upper:point"}}), "fr_lower fr_upper ");
   EXPECT_EQ(contacts({.contacts = {"fr_lower:surface"}}), "fr_lower* ");
+}
+
+class Frames : public Load {
+ protected:
+  // `base_X_tip tip_X_base | base_J_tip`, or the messages.
+  std::string pairs(const LoadOptions& options, const std::string& text = kRods) {
+    const std::optional<Model> model = try_load("rods.kindsl", text, options);
+    if (!model) return diagnostics.render();
+    std::string found;
+    for (const model::FramePair& p : model->robot()->desired.transforms)
+      found += p.left.name + "_X_" + p.right.name + " ";
+    found += "|";
+    for (const model::FramePair& p : model->robot()->desired.jacobians)
+      found += " " + p.left.name + "_J_" + p.right.name;
+    return found;
+  }
+};
+
+TEST_F(Frames, LimitTheFunctionsToThoseThatAreNamed) {
+  const std::string tip = "fr_base_X_tip tip_X_fr_base | fr_base_J_tip";
+  for (const char* pattern : {"tip", "t*", "?ip", "*p"}) EXPECT_EQ(pairs({.frames = {pattern}}), tip);
+  const std::string upper = "fr_base_X_fr_upper fr_upper_X_fr_base | fr_base_J_fr_upper";
+  for (const char* pattern : {"fr_upper", "upper", "upp*", "fr_u*"}) EXPECT_EQ(pairs({.frames = {pattern}}), upper);
+  // A joint frame has no functions by default, but a name.
+  EXPECT_EQ(pairs({.frames = {"elbow"}}), "fr_base_X_fr_elbow fr_elbow_X_fr_base | fr_base_J_fr_elbow");
+  // Once each, in the order of the robot.
+  EXPECT_EQ(
+      pairs({.frames = {"t*", "*p", "upper"}}),
+      "fr_base_X_fr_upper fr_upper_X_fr_base fr_base_X_tip tip_X_fr_base | fr_base_J_fr_upper fr_base_J_tip");
+  EXPECT_EQ(pairs({.frames = {"base"}}), "|");
+  EXPECT_EQ(
+      pairs({.frames = {"*"}}),
+      "fr_base_X_fr_upper fr_upper_X_fr_base fr_base_X_fr_lower fr_lower_X_fr_base fr_base_X_tip tip_X_fr_base | "
+      "fr_base_J_fr_upper fr_base_J_fr_lower fr_base_J_tip");
+}
+
+TEST_F(Frames, LimitAList) {
+  const fs::path list = folder.file(
+      "rods.dtdsl",
+      "Robot Rods Frames { fr_base, fr_upper, fr_lower, tip } "
+      "Transforms { fr_base <- tip  fr_upper <- tip  fr_base <- fr_lower  fr_upper <- fr_base } "
+      "Jacobians { base = fr_base, target = tip  base = fr_upper, target = tip } Contacts { point tip }");
+  EXPECT_EQ(pairs({.desired = list, .frames = {"tip"}}), "fr_base_X_tip | fr_base_J_tip");
+  EXPECT_EQ(
+      pairs({.desired = list, .frames = {"tip", "up*"}}),
+      "fr_base_X_tip fr_upper_X_tip fr_upper_X_fr_base | fr_base_J_tip fr_upper_J_tip");
+  EXPECT_EQ(
+      loaded(folder.file("rods.kindsl", kRods), {.desired = list, .frames = {"upper"}})
+          .robot()
+          ->desired.contacts.size(),
+      1U);
+  // The list has no frame of the elbow.
+  EXPECT_EQ(
+      pairs({.desired = list, .frames = {"elbow"}})
+          .find("--frames:1:1: error: the list of desired transforms has no frame 'elbow' [unmatched-frame]"),
+      0U);
+}
+
+TEST_F(Frames, NamesThatMatchNothingAreErrors) {
+  const std::string name = pairs({.frames = {"tip", "uper"}});
+  EXPECT_EQ(name.find("--frames:1:5: error: robot 'Rods' has no frame 'uper' [unmatched-frame]"), 0U) << name;
+  EXPECT_NE(name.find("hint: did you mean 'upper'? its frames are fr_upper, fr_lower, tip"), std::string::npos) << name;
+  const std::string pattern = pairs({.frames = {"*_lowr"}});
+  EXPECT_EQ(pattern.find("--frames:1:1: error: no frame of robot 'Rods' matches '*_lowr' [unmatched-frame]"), 0U)
+      << pattern;
+  EXPECT_NE(pattern.find("hint: should it match 'fr_lower'? its frames are"), std::string::npos) << pattern;
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.frames = {"a*", "b*", "t*"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"unmatched-frame", "unmatched-frame"}));
+}
+
+// Groups of functions follow the pairs.
+TEST_F(Frames, ReachEveryGroup) {
+  const Model model = loaded(folder.file("rods.kindsl", kRods), {.frames = {"tip"}});
+  for (const std::string& group : algorithm::groups_between_frames()) {
+    int count = 0;
+    for (const algorithm::RobotFunction& f : algorithm::functions(model.robot()->tree, model.robot()->desired, group)) {
+      if (f.frames.right.name.empty()) continue;
+      ++count;
+      EXPECT_TRUE(f.frames.right.name == "tip" || f.frames.left.name == "tip") << group << ' ' << f.name;
+    }
+    EXPECT_GT(count, 0) << group;
+  }
 }
 
 TEST_F(Load, ContactsThatCannotBe) {

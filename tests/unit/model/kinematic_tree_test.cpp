@@ -123,5 +123,16 @@ TEST(DefaultDesired, NamesALinkByTheUserFrameOfItsName) {
   EXPECT_EQ(default_desired(tree).transforms.size(), desired.transforms.size() + 2);
 }
 
+// Frames that are named one by one have all functions, leaf or not.
+TEST(DesiredOfFrames, IsEachFrameToAndFromTheBaseAndItsJacobian) {
+  const KinematicTree tree = branched();
+  const DesiredTransforms desired =
+      desired_of_frames(tree, {*tree.find_frame("fr_base"), *tree.find_frame("fr_leg"), *tree.find_frame("fr_d")});
+  std::string text;
+  for (const auto* pairs : {&desired.transforms, &desired.jacobians})
+    for (const FramePair& pair : *pairs) text += pair.left.name + " " + pair.right.name + "; ";
+  EXPECT_EQ(text, "fr_base fr_leg; fr_leg fr_base; fr_base fr_d; fr_d fr_base; fr_base fr_leg; fr_base fr_d; ");
+}
+
 }  // namespace
 }  // namespace robcogen::model

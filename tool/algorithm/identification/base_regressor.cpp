@@ -56,7 +56,7 @@ std::vector<std::vector<double>> coefficients(const Program& program, const std:
 }
 
 // Entries that are rounding noise compared with the others of their kind are dropped.
-constexpr double kNothing = 1e-12;
+constexpr double kRoundingNoise = 1e-12;
 
 // A sum as text: `2 a - b`. A coefficient that depends on the document's parameters is left open.
 std::string sum_of(
@@ -65,15 +65,15 @@ std::string sum_of(
     const std::vector<double>& other) {
   std::string text;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    const bool varies = std::abs(row[k] - other[k]) > kNothing;
-    if (std::abs(row[k]) < kNothing && !varies) continue;
+    const bool varies = std::abs(row[k] - other[k]) > kRoundingNoise;
+    if (std::abs(row[k]) < kRoundingNoise && !varies) continue;
     const bool is_minus = !varies && row[k] < 0;
     if (!text.empty()) text += is_minus ? " - " : " + ";
     if (text.empty() && is_minus) text += "-";
     const double size = std::abs(row[k]);
     if (varies)
       text += "(...) ";
-    else if (std::abs(size - 1) > kNothing)
+    else if (std::abs(size - 1) > kRoundingNoise)
       text += fmt::format("{:.6g} ", size);
     text += names[k];
   }

@@ -21,12 +21,15 @@ std::vector<Field> row_of(
     const symbolic::DerivativeBlock& block,
     bool has_cache) {
   const symbolic::Program& program = c.function->program;
+  const bool is_by_rotation = block.by == symbolic::kBaseRotation;
+  const std::string& read = is_by_rotation ? symbolic::orientation_of_base(program)->name : block.by;
   std::size_t input = 0;
-  while (program.inputs[input].name != block.by) ++input;
+  while (program.inputs[input].name != read) ++input;
+  const bool is_of_pose = program.inputs[input].role == symbolic::Role::base_pose;
   const bool is_cached = has_cache && program.inputs[input].role == symbolic::Role::parameters;
   const std::vector<std::size_t> offsets = offsets_of_outputs(program);
   const auto of = static_cast<std::size_t>(block.of), place = static_cast<std::size_t>(block.place);
-  return {
+  std::vector<Field> row = {
       quoted(c.kernel + ": " + program.outputs[of].name + " by " + block.by),
       static_cast<int>(function),
       is_cached ? "true" : "false",
@@ -35,6 +38,9 @@ std::vector<Field> row_of(
       static_cast<int>(offsets[of]),
       size_of(program.outputs[of]),
       static_cast<int>(offsets[place])};
+  const std::string variation = "robcogen::reflection::Variation::";
+  if (is_of_pose || is_by_rotation) row.emplace_back(variation + (is_of_pose ? "of_base_pose" : "of_gravity_in_base"));
+  return row;
 }
 
 }  // namespace

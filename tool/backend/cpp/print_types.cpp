@@ -72,25 +72,14 @@ std::string transform_types(const Api& api, const std::string& scalar) {
        parameters_struct(api, scalar)});
 }
 
-// The type of a member of a result structure.
-std::string member_type(const symbolic::OutputArray& output) {
-  switch (output.role) {
-    case symbolic::Role::joint_force:
-    case symbolic::Role::joint_acceleration:
-      return "JointVector<Scalar>";
-    case symbolic::Role::base_wrench:
-      return "robcogen::BasicWrench<Scalar>";
-    case symbolic::Role::frame_velocity:
-      return "robcogen::BasicTwist<Scalar>";
-    case symbolic::Role::base_acceleration:
-    case symbolic::Role::frame_acceleration:
-      return "robcogen::BasicSpatialAcceleration<Scalar>";
-    case symbolic::Role::energy:
-    case symbolic::Role::mass:
-      return "Scalar";
-    default:
-      return "Eigen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
-  }
+// The type of a member of a result structure, in any precision: that of a function which returns this output alone.
+std::string member_type(const Api& api, const symbolic::OutputArray& output) {
+  const std::string type = type_of(output);
+  for (const std::string of_runtime : {"Twist", "SpatialAcceleration", "Wrench", "Gravity"})
+    if (type == of_runtime) return "robcogen::Basic" + type + "<Scalar>";
+  if (type == "Scalar") return type;
+  if (type == "JointState" && output.rows == static_cast<int>(api.joints.size())) return "JointVector<Scalar>";
+  return "Eigen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
 }
 
 // The structures that functions with several results return.
@@ -99,7 +88,7 @@ std::string structures(const Api& api) {
   for (const Callable* c : callables_with_structures(api)) {
     std::string members;
     for (const symbolic::OutputArray& output : c->function->program.outputs)
-      members += "  " + member_type(output) + " " + output.name + ";\n";
+      members += "  " + member_type(api, output) + " " + output.name + ";\n";
     texts.push_back(
         comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct Basic" + c->result + " {\n" +
         members + "};\n");

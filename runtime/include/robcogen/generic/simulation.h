@@ -1,7 +1,8 @@
 // Time integration of any robot, one step at a time. Needs C++20.
 //
 // Both methods take a function that returns the accelerations in a state, so the caller decides on joint forces,
-// contacts and gravity:
+// contacts and gravity. Its result is any that has accelerations (accelerations.h): that of forward_dynamics, of
+// constrained_forward_dynamics, …
 //
 //     state = runge_kutta_step(state, h, [&](const auto& s) { return acceleration(robot, s, tau); });
 //
@@ -10,6 +11,7 @@
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
+#include "robcogen/generic/accelerations.h"
 #include "robcogen/generic/state.h"
 
 namespace robcogen {
@@ -63,23 +65,33 @@ State<R> advanced(const State<R>& state, const Rate<R>& rate, typename R::Scalar
 }  // namespace simulation
 
 // A step of semi-implicit Euler with constant accelerations, which change the velocities; the velocities at the end
-// change the positions. First order; energy oscillates without drift for small steps.
-template <FixedBase R>
-State<R> integrate(const State<R>& state, const typename R::JointState& qdd, typename R::Scalar h) noexcept {
+// change the positions. First order; with a fixed base, energy oscillates without drift for small steps. A floating
+// base moves exactly by its twist at the end; its orientation remains a rotation. The accelerations are any result that
+// has them (accelerations.h).
+template <RobotTraits R, class A = Accelerations<R>>
+State<R> integrate(const State<R>& state, const A& accelerations, typename R::Scalar h) noexcept {
+  require_accelerations<R, A>();
   State<R> result = state;
-  result.qd += h * qdd;
-  result.q = integrate_positions<R>(state.q, result.qd, h);
+  if constexpr (AccelerationsOf<A, R>) {
+    if constexpr (R::kFloatingBase) {
+      result.qd += h * accelerations.qdd;
+      result.base_velocity =
+          typename R::Twist(state.base_velocity.vector() + h * accelerations.base_acceleration.vector());
+      result.pose = integrate(state.pose, result.base_velocity, h);
+    } else {
+      result.qd += h * accelerations_of<R>(accelerations);
+    }
+    result.q = integrate_positions<R>(state.q, result.qd, h);
+  }
   return result;
 }
 
-// The same for a floating base, which moves exactly by its twist at the end; its orientation remains a rotation.
-template <FloatingBase R>
-State<R> integrate(const State<R>& state, const typename R::GeneralizedAcceleration& a, typename R::Scalar h) noexcept {
+// The state after an impact, which changes velocities only: `after` is the result of `impact`.
+template <RobotTraits R, accelerations::OfImpact After>
+State<R> after_impact(const State<R>& state, const After& after) noexcept {
   State<R> result = state;
-  result.qd += h * a.qdd;
-  result.q = integrate_positions<R>(state.q, result.qd, h);
-  result.base_velocity = typename R::Twist(state.base_velocity.vector() + h * a.base_acceleration.vector());
-  result.pose = integrate(state.pose, result.base_velocity, h);
+  result.qd = after.qd_after;
+  if constexpr (R::kFloatingBase) result.base_velocity = after.base_velocity_after;
   return result;
 }
 
@@ -93,7 +105,16 @@ State<R> semi_implicit_euler_step(const State<R>& state, typename R::Scalar h, c
 template <RobotTraits R, class Acceleration>
 State<R> runge_kutta_step(const State<R>& state, typename R::Scalar h, const Acceleration& acceleration) {
   using simulation::Rate, simulation::rate, simulation::advanced;
-  const auto rate_in = [&](const State<R>& s) { return rate<R>(s, acceleration(s)); };
+  const auto rate_in = [&](const State<R>& s) {
+    const auto& a = acceleration(s);
+    using A = std::remove_cvref_t<decltype(a)>;
+    require_accelerations<R, A>();
+    if constexpr (AccelerationsOf<A, R>) {
+      return rate<R>(s, accelerations_of<R>(a));
+    } else {
+      return Rate<R>();
+    }
+  };
   const Rate<R> a = rate_in(state);
   const Rate<R> b = rate_in(advanced<R>(state, a, h / 2));
   const Rate<R> c = rate_in(advanced<R>(state, b, h / 2));

@@ -1,6 +1,7 @@
 // Checks of derivatives that a user asked for, against differences of the function's own results.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -75,6 +76,29 @@ inline void move_number(
   inputs[static_cast<std::size_t>(d.input + element)] += step;
 }
 
+// Rotates the base by a step about one of its axes, or moves its position: `inputs` at d.input are gravity in base
+// coordinates, or the pose of the base, whose quaternion need not be of unit length.
+inline void move_base(const reflection::Derivative& d, int element, double step, std::vector<double>& inputs) {
+  double* at = inputs.data() + d.input;
+  if (element > 2) {
+    at[element + 1] += step;
+    return;
+  }
+  const int x = element, y = (x + 1) % 3, z = (x + 2) % 3;
+  if (d.variation == reflection::Variation::of_gravity_in_base) {
+    const double c = std::cos(step), s = std::sin(step), of_y = at[y], of_z = at[z];
+    at[y] = c * of_y + s * of_z;
+    at[z] = c * of_z - s * of_y;
+    return;
+  }
+  const double c = std::cos(step / 2), s = std::sin(step / 2);
+  const double w = at[0], of_x = at[1 + x], of_y = at[1 + y], of_z = at[1 + z];
+  at[0] = c * w - s * of_x;
+  at[1 + x] = c * of_x + s * w;
+  at[1 + y] = c * of_y + s * of_z;
+  at[1 + z] = c * of_z - s * of_y;
+}
+
 // `inputs_of` returns the inputs of a function in one state. `cache_of` computes their first part from parameter
 // values; `parameters` are the values of that state.
 inline void check_partial_derivatives(
@@ -98,6 +122,8 @@ inline void check_partial_derivatives(
           values[static_cast<std::size_t>(element)] += step;
           const std::vector<double> cache = cache_of(values);
           std::copy(cache.begin(), cache.end(), moved.begin());
+        } else if (d.variation != reflection::Variation::of_input) {
+          move_base(d, element, step, moved);
         } else {
           move(f, d, element, step, moved);
         }
