@@ -87,7 +87,9 @@ Counts count(const Arguments& arguments) {
           if (!has(functions, counted.first)) functions.push_back(std::move(counted));
     };
     for (const std::string& group : split(arguments.further_groups)) add(command_of(group));
-    if (!contacts.empty()) add(command_of("contacts,operational_space", " --contacts " + quoted(contacts)));
+    if (!contacts.empty())
+      add(command_of(
+          "contacts,constrained_forward_dynamics_derivatives,operational_space", " --contacts " + quoted(contacts)));
   }
   return counts;
 }

@@ -82,10 +82,10 @@ set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passiv
                                              inverse_dynamics_derivatives inverse_dynamics_gradient
                                              inverse_dynamics_second_derivatives
                                              forward_dynamics_derivatives centroidal energy centroidal_bias contacts
-                                             operational_space regressor base_regressor energy_regressor
-                                             slotine_li_regressor transforms jacobians jacobian_references
-                                             jacobians_with_base jacobian_derivatives velocities accelerations world
-                                             world_centroidal)
+                                             constrained_forward_dynamics_derivatives operational_space regressor
+                                             base_regressor energy_regressor slotine_li_regressor transforms jacobians
+                                             jacobian_references jacobians_with_base jacobian_derivatives velocities
+                                             accelerations world world_centroidal)
 # The default groups: functions that most programs need and that compile quickly.
 set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
                                                      joint_space_inertia_factor centroidal energy transforms jacobians)

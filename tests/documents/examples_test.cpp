@@ -63,7 +63,8 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
   for (const CodeBlock& block : code_blocks(read_text(source_folder() / "tool/language/README.md")))
     if (block.language == "motdsl") std::ofstream(folder / "crane.motdsl") << block.text;
   for (const std::string& arguments :
-       {robots + "hyl/hyl.kindsl --name hyl --batch --algorithms all --desired " + robots + "hyl/hyl.dtdsl",
+       {robots + "hyl/hyl.kindsl --name hyl --batch --algorithms all --contacts fr_foot --desired " + robots +
+            "hyl/hyl.dtdsl",
         robots + "hyl_parametric/hyl_parametric.kindsl --name hyl_parametric",
         robots + "quadruped/quadruped.kindsl --name quadruped --algorithms all --desired " + robots +
             "quadruped/quadruped.dtdsl",

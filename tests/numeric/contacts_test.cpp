@@ -15,6 +15,7 @@
 #include "random_drives.h"
 #include "random_robot.h"
 #include "reference_tables.h"
+#include "robcogen/reference/check_contact_derivatives.h"
 #include "robcogen/reference/contacts.h"
 #include "robcogen/reference/samples.h"
 #include "symbolic/interpret.h"
@@ -166,11 +167,11 @@ struct Case {
   int rows = 0;
 };
 
-// Calls check(case) for robots that have contacts, with the functions of one group.
+// Calls check(case) for robots that have contacts, with the functions of one group; with `step`, for fewer robots.
 template <class Check>
-void for_each_case(const std::string& group, const Check& check) {
+void for_each_case(const std::string& group, const Check& check, int step = 1) {
   const int count = std::max(100, robot_count() / 20);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; i += step) {
     Case c(static_cast<std::uint64_t>(i), {group});
     if (c.desired.contacts.empty() || c.robot->programs().empty()) continue;
     SCOPED_TRACE("seed " + std::to_string(i));
@@ -325,6 +326,64 @@ TEST(Contacts, OperationalSpaceIsDynamicallyConsistent) {
     ++compared;
   });
   EXPECT_GT(compared, 30);
+}
+
+// The results of a function, one after another.
+Vector joined(const symbolic::Program& program, const symbolic::Arrays<double>& results) {
+  Values all;
+  for (const symbolic::OutputArray& output : program.outputs)
+    all.insert(all.end(), results.at(output.name).begin(), results.at(output.name).end());
+  return matrix(all, static_cast<int>(all.size()));
+}
+
+// In double, with all formulations and passes, against differences of the dense system.
+TEST(Contacts, DerivativesAreThoseOfTheDenseSystem) {
+  int compared = 0, floating = 0;
+  reference::Checks checks;
+  for_each_case(
+      "constrained_forward_dynamics_derivatives",
+      [&](Case& c) {
+        const Values by_contact = c.random_activity(),
+                     restitution = c.random(static_cast<int>(by_contact.size()), 0, 1);
+        const Values tau = c.random(c.robot_tree.dof(), -20, 20), wanted = c.random(c.rows, -5, 5);
+        const reference::ContactState state{
+            {c.motion, c.loads(), matrix(tau, c.robot_tree.dof())},
+            matrix(wanted, c.rows),
+            matrix(c.by_row(restitution), c.rows),
+            c.by_row(by_contact),
+            c.random(c.rows, 0.1, 1)};
+        if (!constrained_accelerations(c.tables->robot(), state, kDigits)) return;
+        const reflection::Robot tables = c.tables->robot();
+        const reference::Case at(tables, c.sample, static_cast<int>(c.seed));
+        std::mt19937_64 engine(c.seed);
+        const auto blocks_of = [&](const std::string& name, const symbolic::Arrays<double>& results, auto value) {
+          const auto& programs = c.robot->programs();
+          return reference::ContactBlocks(at, name, joined(programs.at(name), results), state, value, checks);
+        };
+        const std::string name = "constrained_forward_dynamics_derivatives";
+        reference::ContactBlocks blocks = blocks_of(
+            name,
+            c.run(
+                name, {{"tau", tau},
+                       {"contact_acceleration", wanted},
+                       {"active", by_contact},
+                       {"compliance", state.compliance}}),
+            reference::constrained_accelerations);
+        compare_blocks_of_forward_dynamics(blocks, at, engine);
+        reference::ContactBlocks of_impact = blocks_of(
+            "impact_derivatives",
+            c.run_plain(
+                "impact_derivatives",
+                {{"restitution", restitution}, {"active", by_contact}, {"compliance", state.compliance}}),
+            reference::velocities_after_impact);
+        compare_blocks_of_impact(of_impact, at, engine);
+        ++compared;
+        floating += c.floating() ? 1 : 0;
+      },
+      5);
+  EXPECT_EQ(checks.failures(), 0) << checks.failure_report();
+  EXPECT_GT(compared, 8);
+  EXPECT_GT(floating, 2);
 }
 
 // A single contact that is singular: the robot has one joint, and its tip cannot move along the link.

@@ -98,18 +98,21 @@ std::string suffix_of(const Derivative& derivative) {
   return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
 }
 
+// `hint`: for a refusal.
 Program differentiated(
     const Program& program,
     const Derivative& derivative,
     DerivativeMode mode,
-    const symbolic::FollowerRates& rates) {
+    const symbolic::FollowerRates& rates,
+    const std::string& hint) {
   std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMaxExpressions, rates);
   if (!result)
     refuse(
         derivative,
         fmt::format(
             "code without loops would have more than {} operations, too many to compile [too-many-operations]",
-            kMaxExpressions));
+            kMaxExpressions),
+        hint);
   result->name = program.name + suffix_of(derivative);
   // The interface makes an object of these results for the original function only.
   for (symbolic::OutputArray& array : result->outputs) {
@@ -131,7 +134,8 @@ Function differentiated(
     Function function,
     const Derivative& derivative,
     DerivativeMode mode,
-    const symbolic::FollowerRates& rates = {}) {
+    const symbolic::FollowerRates& rates = {},
+    const std::string& hint = "") {
   std::vector<symbolic::DerivativeBlock> blocks;
   const auto values = static_cast<int>(function.program.outputs.size());
   int place = values;
@@ -148,7 +152,7 @@ Function differentiated(
     }
   }
   function.derivatives = std::move(blocks);
-  function.program = differentiated(function.program, derivative, mode, rates);
+  function.program = differentiated(function.program, derivative, mode, rates, hint);
   function.name += suffix_of(derivative);
   function.summary.push_back(summary_of(derivative));
   if (is_by_turns)
@@ -162,6 +166,25 @@ Function differentiated(
   if (has_followers)
     function.summary.emplace_back("The last elements of q have no columns: they follow the others through the loops.");
   return function;
+}
+
+// Names the function with derivatives of this one in code with loops, if there is one.
+std::string hint_of_group(const model::KinematicTree& tree, const std::string& function) {
+  struct WithLoops {
+    const char *function, *group, *with_derivatives, *inputs;
+  };
+  const std::string base = tree.floating_base ? ", base_velocity, base_rotation" : "";
+  constexpr const char *kForward = "forward_dynamics_derivatives",
+                       *kConstrained = "constrained_forward_dynamics_derivatives";
+  for (const auto& [of, group, with_derivatives, inputs] :
+       {WithLoops{"forward_dynamics", kForward, kForward, "q, qd, tau"},
+        WithLoops{"constrained_forward_dynamics", kConstrained, kConstrained, "q, qd, tau, contact_acceleration"},
+        WithLoops{"impact", kConstrained, "impact_derivatives", "q, qd, restitution"}})
+    if (of == function && algorithm::is_available(tree, group))
+      return fmt::format(
+          "{}, of the group {}, has derivatives by {}{}, in shorter code", with_derivatives, group, inputs,
+          function == "impact" && tree.floating_base ? ", base_velocity" : base);
+  return "";
 }
 
 template <class Function>
@@ -239,7 +262,8 @@ std::vector<RobotFunction> derivative_functions(
              robot.tree, {{first.frames}, {first.frames}, robot.desired.contacts}, first.group, formulations)) {
       if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
       f.group = kDerivativesGroup;
-      list.push_back(differentiated(std::move(f), derivative, mode, rates));
+      const std::string hint = hint_of_group(robot.tree, f.name);
+      list.push_back(differentiated(std::move(f), derivative, mode, rates, hint));
     }
   }
   return list;

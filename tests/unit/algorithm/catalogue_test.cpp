@@ -319,6 +319,18 @@ TEST(RobotPrograms, OfContacts) {
   EXPECT_EQ(
       of(true, "operational_space"),
       List{"operational_space: q active compliance -> inertia 9x9 inverse 8x9 projector 8x8"});
+  EXPECT_EQ(
+      of(true, "constrained_forward_dynamics_derivatives"),
+      (List{
+          "constrained_forward_dynamics_derivatives: q qd tau base_velocity contact_acceleration active compliance "
+          "gravity -> qdd 2x1 base_acceleration 6x1 contact_wrenches 9x1 d_q 17x2 d_qd 17x2 d_tau 17x2 d_base_rotation "
+          "17x3 d_base_velocity 17x6 d_contact_acceleration 17x9",
+          "constrained_forward_dynamics_derivatives_external: q qd tau base_velocity contact_acceleration active "
+          "compliance gravity external -> qdd 2x1 base_acceleration 6x1 contact_wrenches 9x1 d_q 17x2 d_qd 17x2 d_tau "
+          "17x2 d_base_rotation 17x3 d_base_velocity 17x6 d_contact_acceleration 17x9",
+          "impact_derivatives: q qd base_velocity restitution active compliance -> qd_after 2x1 base_velocity_after "
+          "6x1 "
+          "contact_impulses 9x1 d_q 17x2 d_qd 17x2 d_base_velocity 17x6 d_restitution 17x2"}));
 }
 
 TEST(RobotPrograms, DefaultGroupsAreGroupsInTheirOrder) {

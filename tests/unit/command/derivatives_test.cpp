@@ -253,6 +253,24 @@ TEST(Derivatives, ByWhichContactsHold) {
       << run.errors;
 }
 
+// The message names the group that has such derivatives.
+TEST(Derivatives, TooLongWithContacts) {
+  const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
+  const Outcome run = run_tool(
+      "ops " + quoted(model) +
+          " --effort 0 --contacts fr_left_sole:surface,fr_right_sole:surface --derivatives "
+          "constrained_forward_dynamics:q,qd,tau",
+      "");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("[too-many-operations]"), std::string::npos) << run.errors;
+  EXPECT_NE(
+      run.errors.find("hint: constrained_forward_dynamics_derivatives, of the group "
+                      "constrained_forward_dynamics_derivatives, has derivatives by q, qd, tau, contact_acceleration, "
+                      "base_velocity, base_rotation, in shorter code"),
+      std::string::npos)
+      << run.errors;
+}
+
 // Second derivatives of a humanoid's inverse dynamics are too long for a compiler.
 TEST(Derivatives, TooLong) {
   const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";

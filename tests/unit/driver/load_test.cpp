@@ -269,7 +269,7 @@ TEST_F(Load, ContactsThatCannotBe) {
   EXPECT_EQ(text.find("--contacts:1:10: error: robot 'Rods' has no frame 'fr_uper' [unknown-contact-frame]"), 0U)
       << text;
   EXPECT_NE(text.find("hint: did you mean 'point'?"), std::string::npos) << text;
-  for (const char* group : {"contacts", "operational_space"}) {
+  for (const char* group : {"contacts", "constrained_forward_dynamics_derivatives", "operational_space"}) {
     EXPECT_FALSE(try_load("rods.kindsl", kRods, {.groups = {group}}));
     EXPECT_EQ(codes(Severity::error), Codes{"no-contacts"});
     EXPECT_TRUE(try_load("rods.kindsl", kRods, {.groups = {group}, .contacts = {"fr_lower"}}));

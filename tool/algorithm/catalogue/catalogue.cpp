@@ -69,6 +69,9 @@ constexpr std::array kGroups = {
     Group{"energy", true, kInertia, energy_functions, nullptr},
     Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr, nullptr, true},
     Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
+    Group{
+        "constrained_forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, nullptr, nullptr,
+        constrained_forward_dynamics_derivatives_functions},
     Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
     Group{"regressor", false, kFewElements, regressor_functions, nullptr, nullptr, true},
     Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr, nullptr, true},

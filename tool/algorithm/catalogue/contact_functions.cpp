@@ -1,6 +1,7 @@
 // Functions of contacts.
 #include "algorithm/catalogue/groups.h"
 #include "algorithm/catalogue/overloads.h"
+#include "algorithm/catalogue/sizes.h"
 #include "symbolic/count.h"
 
 namespace robcogen::algorithm {
@@ -131,6 +132,59 @@ std::vector<RobotFunction> contacts_functions(
        "`regularization` r: zero, if the contacts can support the base in all directions; a positive r is added to the "
        "diagonal of the 6 x 6 system, and `base_wrench` is the wrench that the base then still needs."},
       constrained_inverse_dynamics);
+  return list;
+}
+
+std::vector<RobotFunction> constrained_forward_dynamics_derivatives_functions(
+    const KinematicTree& tree,
+    const ContactFrames& frames,
+    FormulationChoices& choices) {
+  const std::string group = "constrained_forward_dynamics_derivatives";
+  const Contacts contacts{tree, frames, choices};
+  const Formulation& formulation = choices.inverse_dynamics_derivatives();
+  const std::string of_base = tree.floating_base ? "the base, " : "";
+  std::vector<std::string> summary = {
+      "constrained_forward_dynamics, and the partial derivatives of its results (Carpentier and Mansard 2018): a "
+      "column "
+      "for each joint's position (d_q), velocity (d_qd) and force (d_tau), and for each row of `contact_acceleration` "
+      "(d_contact_acceleration). Rows: accelerations of " +
+          of_base + "then of the joints, then the contact wrenches.",
+      kSwitches};
+  if (tree.floating_base)
+    summary.emplace_back(
+        "Columns of the base: by its velocity (d_base_velocity), and a rotation of the base about its own axes "
+        "(d_base_rotation); gravity is fixed in the world and changes in base coordinates. Wrenches and "
+        "`contact_acceleration` have components in base axes, which turn with the base.");
+  std::vector<RobotFunction> list;
+  add_overloads(list, tree, group, group, contacts.summary(summary), [&](const std::string& kernel, Loads loads) {
+    return constrained_forward_dynamics_derivatives(tree, frames, kernel, loads, formulation);
+  });
+  add_wrenches_remark(list);
+  list.push_back(
+      {group,
+       "",
+       "impact_derivatives",
+       contacts.summary(
+           {"impact, and the partial derivatives of its results: a column for each joint's position (d_q) and velocity "
+            "(d_qd)" +
+                std::string(tree.floating_base ? ", for the velocity of the base (d_base_velocity)" : "") +
+                " before the impact, and for each contact's restitution (d_restitution). Rows: velocities of " +
+                of_base + "then of the joints, after the impact, then the impulses.",
+            kSwitches}),
+       {},
+       {},
+       impact_derivatives(tree, frames, "impact_derivatives", formulation)});
+  const long operations = operations_of_contact_solutions(tree, frames);
+  if (are_better_in_columns(operations))
+    for (RobotFunction& f : list) {
+      const std::string& name = f.program.name;
+      f.solved = f.name == group ? constrained_forward_dynamics_derivatives_in_columns(
+                                       tree, frames, name, loads_of(f.program), formulation)
+                                 : impact_derivatives_in_columns(tree, frames, name, formulation);
+      f.solved->is_long = are_long_solutions(operations);
+    }
+  for (const std::string& name : {group, std::string("impact_derivatives")})
+    add_method(list, name, description(tree, formulation.frames));
   return list;
 }
 

@@ -1,6 +1,4 @@
 // Derivatives of the dynamics.
-#include <algorithm>
-
 #include "algorithm/catalogue/groups.h"
 #include "algorithm/catalogue/overloads.h"
 #include "algorithm/catalogue/sizes.h"
@@ -21,22 +19,8 @@ void add_base(std::vector<std::string>& summary, const std::string& rows, const 
       "coordinates.");
 }
 
-// The loads of a program, from its inputs.
-Loads loads_of(const symbolic::Program& program) {
-  const auto has = [&](symbolic::Role role) {
-    return std::any_of(
-        program.inputs.begin(), program.inputs.end(), [&](const auto& input) { return input.role == role; });
-  };
-  if (has(symbolic::Role::link_wrenches)) return Loads::gravity_and_external;
-  return has(symbolic::Role::gravity) ? Loads::gravity : Loads::standard_gravity;
-}
-
 const char* const kColumns =
     "their partial derivatives: a column for each joint's position (d_q), velocity (d_qd) and acceleration (d_qdd";
-
-void add_wrenches_remark(std::vector<RobotFunction>& list) {
-  list.back().summary.emplace_back("The wrenches are constant in these coordinates: they move with their links.");
-}
 
 void add_gravity_forces_derivative(
     std::vector<RobotFunction>& list,

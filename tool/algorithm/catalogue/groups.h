@@ -61,6 +61,10 @@ std::vector<RobotFunction> contacts_functions(
     const model::KinematicTree& tree,
     const ContactFrames& contacts,
     FormulationChoices& choices);
+std::vector<RobotFunction> constrained_forward_dynamics_derivatives_functions(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    FormulationChoices& choices);
 std::vector<RobotFunction> operational_space_functions(
     const model::KinematicTree& tree,
     const ContactFrames& contacts,

@@ -1,5 +1,7 @@
 #include "algorithm/catalogue/overloads.h"
 
+#include <algorithm>
+
 namespace robcogen::algorithm {
 
 void add_method(std::vector<RobotFunction>& list, const std::string& name, const std::string& method) {
@@ -28,6 +30,19 @@ void add_overloads(
     add(Loads::gravity_and_external, "_external",
         "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
         "the link's origin.");
+}
+
+Loads loads_of(const symbolic::Program& program) {
+  const auto has = [&](symbolic::Role role) {
+    return std::any_of(
+        program.inputs.begin(), program.inputs.end(), [&](const auto& input) { return input.role == role; });
+  };
+  if (has(symbolic::Role::link_wrenches)) return Loads::gravity_and_external;
+  return has(symbolic::Role::gravity) ? Loads::gravity : Loads::standard_gravity;
+}
+
+void add_wrenches_remark(std::vector<RobotFunction>& list) {
+  list.back().summary.emplace_back("The wrenches are constant in these coordinates: they move with their links.");
 }
 
 }  // namespace robcogen::algorithm

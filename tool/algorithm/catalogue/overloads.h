@@ -25,4 +25,10 @@ void add_overloads(
     const Build& build,
     bool takes_external = true);
 
+// The loads of a program, from its inputs.
+Loads loads_of(const symbolic::Program& program);
+
+// Adds to derivatives with external wrenches what is constant.
+void add_wrenches_remark(std::vector<RobotFunction>& list);
+
 }  // namespace robcogen::algorithm

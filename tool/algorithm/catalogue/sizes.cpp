@@ -26,14 +26,35 @@ long operations_of_base_solutions(const model::KinematicTree& tree) {
   return tree.floating_base ? (3 * joints + 3) * (12 * joints + 72) : 0;
 }
 
+long operations_of_contact_solutions(
+    const model::KinematicTree& tree,
+    const std::vector<model::ContactFrame>& contacts) {
+  const long base = tree.floating_base ? 6 : 0;
+  long rows = 0, moved = 0;  // elements of J
+  for (const model::ContactFrame& contact : contacts) {
+    const long own = contact.is_surface ? 6 : 3;
+    long carrying = base;
+    for (int j = tree.links[at(tree.link_of(contact.frame))].parent_joint; j >= 0; j = tree.parent_joint_of(j))
+      ++carrying;
+    rows += own;
+    moved += own * carrying;
+  }
+  const long columns = 3 * tree.dof() + base + rows;
+  return columns * (4 * (pairs_of_coordinates(tree) + moved) + 2 * rows * rows);
+}
+
 bool are_long_solutions(long operations) {
   constexpr long kMany = 32'000;
   return operations > kMany;
 }
 
-bool solves_in_columns(const model::KinematicTree& tree) {
+bool are_better_in_columns(long operations) {
   constexpr long kMany = 12'000;
-  return operations_of_solutions(tree) > kMany;
+  return operations > kMany;
+}
+
+bool solves_in_columns(const model::KinematicTree& tree) {
+  return are_better_in_columns(operations_of_solutions(tree));
 }
 
 bool solves_for_base_in_columns(const model::KinematicTree& tree) {

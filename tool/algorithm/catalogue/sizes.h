@@ -1,6 +1,8 @@
 // The size of the code of large robots.
 #pragma once
 
+#include <vector>
+
 #include "model/kinematic_tree.h"
 
 namespace robcogen::algorithm {
@@ -16,10 +18,17 @@ long operations_of_solutions(const model::KinematicTree& tree);
 // six products and sums per joint, for each right-hand side.
 long operations_of_base_solutions(const model::KinematicTree& tree);
 
+// The same for derivatives of forward dynamics with contacts, whose rows and columns are in addition those of the
+// contacts.
+long operations_of_contact_solutions(
+    const model::KinematicTree& tree,
+    const std::vector<model::ContactFrame>& contacts);
+
 // Whether that many operations, without a loop, would exceed instruction caches.
 bool are_long_solutions(long operations);
 
 // Whether solutions are better in a loop over right-hand sides in lanes.
+bool are_better_in_columns(long operations);
 bool solves_in_columns(const model::KinematicTree& tree);
 bool solves_for_base_in_columns(const model::KinematicTree& tree);
 

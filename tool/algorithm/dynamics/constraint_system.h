@@ -30,6 +30,11 @@ class ConstraintSystem {
  public:
   ConstraintSystem(const TracedRobot& robot, const ConstraintRows& rows);
 
+  // H in the order of its elimination, and its factor.
+  const OrderedInertia& inertia() const { return inertia_; }
+  const LdlFactors& factors() const { return factors_; }
+  // Y, by row of J, in that order.
+  const std::vector<std::vector<Expression>>& halves() const { return Y_; }
   // W; a pair of rows that share no coordinate has a literal zero.
   const SquareMatrix& inverse_inertia() const { return W_; }
 

@@ -15,14 +15,6 @@ std::vector<std::string> elements(const ContactFrames& contacts, const char* ang
   return names;
 }
 
-// The elements of a motion that are rows of this contact.
-std::vector<Expression> elements_of(const model::ContactFrame& contact, const Motion& motion) {
-  std::vector<Expression> values;
-  if (contact.is_surface) values.assign(motion.angular.element.begin(), motion.angular.element.end());
-  values.insert(values.end(), motion.linear.element.begin(), motion.linear.element.end());
-  return values;
-}
-
 // The motion of the contact frame by coordinate. For a point the angular parts are left out, because nothing reads
 // them.
 std::vector<Motion> columns_of(
@@ -36,21 +28,40 @@ std::vector<Motion> columns_of(
   return columns;
 }
 
+std::vector<std::vector<Motion>> columns_of(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const ContactFrames& contacts) {
+  const model::Frame base = trace.tree.frames().front();
+  std::vector<std::vector<Motion>> columns;
+  for (const model::ContactFrame& contact : contacts)
+    columns.push_back(columns_of(trace, q, {base, contact.frame}, contact.is_surface));
+  return columns;
+}
+
 }  // namespace
 
 ContactRows::ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts)
+    : ContactRows(contacts, columns_of(trace, q, contacts)) {}
+
+ContactRows::ContactRows(const ContactFrames& contacts, const std::vector<std::vector<Motion>>& columns)
     : ConstraintRows{"contacts", motion_elements(contacts), {}} {
-  const model::Frame base = trace.tree.frames().front();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const std::vector<Motion> columns = columns_of(trace, q, {base, contacts[c].frame}, contacts[c].is_surface);
     const std::size_t first = J.size();
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      const std::vector<Expression> elements = elements_of(contacts[c], columns[k]);
-      J.resize(first + elements.size(), std::vector<Expression>(columns.size()));
+    for (std::size_t k = 0; k < columns[c].size(); ++k) {
+      const std::vector<Expression> elements = elements_of(contacts[c], columns[c][k]);
+      J.resize(first + elements.size(), std::vector<Expression>(columns[c].size()));
       for (std::size_t i = 0; i < elements.size(); ++i) J[first + i][k] = elements[i];
     }
     contact.resize(J.size(), static_cast<int>(c));
   }
+}
+
+std::vector<Expression> elements_of(const model::ContactFrame& contact, const Motion& motion) {
+  std::vector<Expression> values;
+  if (contact.is_surface) values.assign(motion.angular.element.begin(), motion.angular.element.end());
+  values.insert(values.end(), motion.linear.element.begin(), motion.linear.element.end());
+  return values;
 }
 
 std::vector<std::string> motion_elements(const ContactFrames& contacts) {

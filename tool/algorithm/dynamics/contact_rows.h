@@ -16,9 +16,14 @@ using ContactFrames = std::vector<model::ContactFrame>;
 // velocity of the frame's origin, for a point the latter alone.
 struct ContactRows : ConstraintRows {
   ContactRows(Trace& trace, const std::vector<Expression>& q, const ContactFrames& contacts);
+  // The same from columns by coordinate, for each contact.
+  ContactRows(const ContactFrames& contacts, const std::vector<std::vector<Motion>>& columns);
 
   std::vector<int> contact;  // by row
 };
+
+// The elements of a motion of a contact frame that are rows of this contact.
+std::vector<Expression> elements_of(const model::ContactFrame& contact, const Motion& motion);
 
 // Names of the elements of arrays over the rows: of velocities and accelerations, or of forces.
 std::vector<std::string> motion_elements(const ContactFrames& contacts);

@@ -32,6 +32,12 @@ ActiveContacts::ActiveContacts(
   }
 }
 
+std::vector<Expression> ActiveContacts::activity() const {
+  std::vector<Expression> result;
+  for (const int contact : rows_.contact) result.push_back(switches_.active[at(contact)]);
+  return result;
+}
+
 std::vector<Expression> ActiveContacts::wrenches(std::vector<Expression> b) const {
   trace_.section("contacts", "contacts: wrenches");
   for (int r = 0; r < rows_.size(); ++r) b[at(r)] = switches_.active[at(rows_.contact[at(r)])] * b[at(r)];
@@ -52,6 +58,51 @@ SquareMatrix ActiveContacts::inverse() const {
   for (int r = 0; r < n; ++r)
     for (int c = 0; c <= r; ++c) result(r, c) = result(c, r) = columns[at(c)][at(r)];
   return result;
+}
+
+ConstrainedMotion constrained_motion(
+    Trace& trace,
+    const SwitchedContacts& contacts,
+    const std::vector<Expression>& tau,
+    const Forces& bias,
+    const std::vector<Expression>& of_contacts,
+    const std::vector<Expression>& wanted) {
+  trace.section("contacts", "contacts: missing accelerations");
+  const std::vector<Expression> halved = contacts.system.halved(missing_forces(trace, tau, bias));
+  const std::vector<Expression> free = contacts.system.at_rows(halved);
+  std::vector<Expression> missing;
+  for (std::size_t r = 0; r < wanted.size(); ++r) missing.push_back(wanted[r] - of_contacts[r] - free[r]);
+  std::vector<Expression> wrenches = contacts.active.wrenches(missing);
+  return {contacts.system.accelerations(halved, wrenches), std::move(wrenches)};
+}
+
+ConstrainedImpact constrained_impact(
+    Trace& trace,
+    const SwitchedContacts& contacts,
+    const std::vector<Expression>& before,
+    const std::vector<Expression>& restitution) {
+  const ContactRows& rows = contacts.rows;
+  std::vector<Expression> change;
+  for (const Expression& velocity : times(rows, before))
+    change.push_back(-(trace.graph.one() + restitution[at(rows.contact[change.size()])]) * velocity);
+  std::vector<Expression> impulses = contacts.active.wrenches(change);
+  const std::vector<Expression> none(before.size());
+  return {contacts.system.accelerations(none, impulses), std::move(impulses)};
+}
+
+std::vector<Expression> stacked_velocities(const StateInputs& in, const Trace& trace) {
+  std::vector<Expression> v;
+  if (trace.tree.floating_base)
+    for (const Vector3& part : {in.base_velocity.angular, in.base_velocity.linear})
+      v.insert(v.end(), part.element.begin(), part.element.end());
+  for (const int joint : trace.tree.coordinates()) v.push_back(in.qd[at(joint)]);
+  return v;
+}
+
+void output_motion(Trace& trace, const std::vector<Expression>& v, const NamedRole& joints, const NamedRole& base) {
+  const int first = trace.tree.floating_base ? 6 : 0;
+  trace.output(joints.name, joints.role, {v.begin() + first, v.end()});
+  if (first > 0) trace.output(base.name, base.role, Motion{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
 }
 
 }  // namespace robcogen::algorithm

@@ -13,37 +13,6 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// A motion by row of H: base, then coordinates.
-std::vector<Expression> stacked(Trace& trace, const Motion& base, const std::vector<Expression>& by_coordinate) {
-  std::vector<Expression> v;
-  if (trace.tree.floating_base)
-    for (const Vector3& part : {base.angular, base.linear}) v.insert(v.end(), part.element.begin(), part.element.end());
-  v.insert(v.end(), by_coordinate.begin(), by_coordinate.end());
-  return v;
-}
-
-// The elements of an array over joints that belong to coordinates.
-std::vector<Expression> of_coordinates(const model::KinematicTree& tree, const std::vector<Expression>& by_joint) {
-  std::vector<Expression> result;
-  for (const int joint : tree.coordinates()) result.push_back(by_joint[at(joint)]);
-  return result;
-}
-
-std::vector<Expression> velocities(Trace& trace, const StateInputs& in) {
-  return stacked(trace, in.base_velocity, of_coordinates(trace.tree, in.qd));
-}
-
-// Outputs a motion by row of H as two arrays, one of the coordinates and one of a floating base.
-void output_motion(
-    Trace& trace,
-    const std::vector<Expression>& v,
-    const std::pair<const char*, Role>& joints,
-    const std::pair<const char*, Role>& base) {
-  const int first = trace.tree.floating_base ? 6 : 0;
-  trace.output(joints.first, joints.second, {v.begin() + first, v.end()});
-  if (first > 0) trace.output(base.first, base.second, Motion{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
-}
-
 // Outputs a matrix that is given by rows.
 void output_matrix(Trace& trace, const std::string& name, const std::vector<std::vector<Expression>>& rows) {
   std::vector<Expression> columns;
@@ -72,7 +41,7 @@ Program contact_velocity(const model::KinematicTree& tree, const ContactFrames& 
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const ContactRows rows(trace, in.q, contacts);
-  trace.output("velocity", Role::value, times(rows, velocities(trace, in)));
+  trace.output("velocity", Role::value, times(rows, stacked_velocities(in, trace)));
   return trace.program(name);
 }
 
@@ -120,16 +89,9 @@ Program constrained_forward_dynamics(
   const Forces bias = bias_forces(robot, in, load);
   const std::vector<Expression> of_contacts = contact_bias(robot, bias.motions, load.gravity, contacts);
   const SwitchedContacts switched(robot, in.q, contacts, switches);
-  const auto& [rows, system, active] = switched;
-  trace.section("contacts", "contacts: missing accelerations");
-  const std::vector<Expression> halved = system.halved(missing_forces(trace, in.tau, bias));
-  const std::vector<Expression> free = system.at_rows(halved);
-  std::vector<Expression> missing;
-  for (std::size_t r = 0; r < wanted.size(); ++r) missing.push_back(wanted[r] - of_contacts[r] - free[r]);
-  const std::vector<Expression> wrenches = active.wrenches(missing);
+  const auto [accelerations, wrenches] = constrained_motion(trace, switched, in.tau, bias, of_contacts, wanted);
   output_motion(
-      trace, system.accelerations(halved, wrenches), {"qdd", Role::joint_acceleration},
-      {"base_acceleration", Role::base_acceleration});
+      trace, accelerations, {"qdd", Role::joint_acceleration}, {"base_acceleration", Role::base_acceleration});
   trace.output("contact_wrenches", Role::value, wrenches);
   return trace.program(name);
 }
@@ -147,14 +109,9 @@ Program impact(
   const ContactSwitches switches(trace, contacts);
   const TracedRobot robot(trace, in.q, formulation);
   const SwitchedContacts switched(robot, in.q, contacts, switches);
-  const auto& [rows, system, active] = switched;
-  const std::vector<Expression> before = velocities(trace, in);
-  std::vector<Expression> change;
-  for (const Expression& velocity : times(rows, before))
-    change.push_back(-(trace.graph.one() + restitution[at(rows.contact[change.size()])]) * velocity);
-  const std::vector<Expression> impulses = active.wrenches(change);
-  const std::vector<Expression> none(before.size());
-  std::vector<Expression> after = system.accelerations(none, impulses);
+  const std::vector<Expression> before = stacked_velocities(in, trace);
+  const auto [change, impulses] = constrained_impact(trace, switched, before, restitution);
+  std::vector<Expression> after = change;
   for (std::size_t k = 0; k < after.size(); ++k) after[k] += before[k];
   output_motion(trace, after, {"qd_after", Role::joint_velocity}, {"base_velocity_after", Role::base_velocity});
   trace.output("contact_impulses", Role::value, impulses);

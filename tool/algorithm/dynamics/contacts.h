@@ -12,6 +12,7 @@
 
 #include "algorithm/dynamics/contact_rows.h"
 #include "algorithm/formulation/formulation.h"
+#include "symbolic/solved_columns.h"
 
 namespace robcogen::algorithm {
 
@@ -54,6 +55,36 @@ symbolic::Program constrained_forward_dynamics(
 // Velocities after an impact at active contacts, J v+ = -restitution J v- (Newton; `restitution` by contact): q, qd [,
 // base_velocity], restitution, active, compliance -> qd_after [, base_velocity_after], contact_impulses.
 symbolic::Program impact(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation = {});
+
+// The derivatives of both: a matrix with rows of (base acceleration, qdd, contact_wrenches) for each input that is
+// named after `d_`. External wrenches are constant in link coordinates, contact_acceleration in base axes; compliance
+// and active are constant. -> outputs of constrained_forward_dynamics, d_q, d_qd, d_tau [, d_base_rotation (as in
+// forward_dynamics_derivatives), d_base_velocity], d_contact_acceleration.
+symbolic::Program constrained_forward_dynamics_derivatives(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+// -> outputs of impact, d_q, d_qd [, d_base_velocity], d_restitution, with rows of (base_velocity_after, qd_after,
+// contact_impulses).
+symbolic::Program impact_derivatives(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    const Formulation& formulation = {});
+// The same, with loops over right-hand sides.
+symbolic::SolvedColumns constrained_forward_dynamics_derivatives_in_columns(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+symbolic::SolvedColumns impact_derivatives_in_columns(
     const model::KinematicTree& tree,
     const ContactFrames& contacts,
     const std::string& name,

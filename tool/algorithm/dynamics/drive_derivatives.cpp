@@ -43,9 +43,10 @@ StateInputs independent_inputs(const Trace& trace, const StateInputs& in) {
 
 }  // namespace
 
-void add_drives(Trace& trace, const StateInputs& in, ForceDerivatives& d) {
+void add_drives(Trace& trace, const StateInputs& in, ForceDerivatives& d, PassiveForces of_drives) {
   const std::size_t base = rows_of_base(trace);
-  const std::vector<Expression> passive = passive_forces(trace, in.q, in.qd);
+  const std::vector<Expression> passive =
+      of_drives == PassiveForces::included ? passive_forces(trace, in.q, in.qd) : std::vector<Expression>(in.qd.size());
   const bool is_coupled = !trace.tree.couplings.empty();
   for (std::size_t j = 0; j < passive.size(); ++j) {
     if (!is_coupled) add_passive(passive[j], base + j, in, j, d);

@@ -7,6 +7,6 @@ namespace robcogen::algorithm {
 
 // Adds springs, friction and armature, which depend on the motion of their own joint only, to derivatives whose rows
 // and columns are joints. For a robot with coupled joints, the result is reduced to derivatives by coordinate.
-void add_drives(Trace& trace, const StateInputs& in, ForceDerivatives& d);
+void add_drives(Trace& trace, const StateInputs& in, ForceDerivatives& d, PassiveForces passive);
 
 }  // namespace robcogen::algorithm

@@ -277,7 +277,8 @@ ForceDerivatives force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,
     const Vector3& gravity,
-    const Forces& forces) {
+    const Forces& forces,
+    PassiveForces passive) {
   if (robot.tree().has_closures()) return looped_force_derivatives(robot, in, gravity, forces);
   JointWalks walks(robot, in, forces);
   for (int j = 0; j < static_cast<int>(robot.tree().joints.size()); ++j) walks.fill_joint(j, in.base_velocity.linear);
@@ -286,7 +287,7 @@ ForceDerivatives force_derivatives(
     walks.fill_base(in.base_velocity.linear);
     fill_free_columns(gravity, in.base_velocity.angular, walks.result);
   }
-  add_drives(robot.trace, in, walks.result);
+  add_drives(robot.trace, in, walks.result, passive);
   return std::move(walks.result);
 }
 

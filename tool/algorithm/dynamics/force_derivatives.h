@@ -17,11 +17,14 @@ struct ForceDerivatives {
 
 // Rows and columns are by coordinate, at the motion that the forces belong to. External wrenches are constant in the
 // coordinates of their links. For robots with loops see looped_derivatives.h, which has further requirements.
+// `passive`: whether they have the passive forces of the drives.
+enum class PassiveForces { included, left_out };
 ForceDerivatives force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,
     const Vector3& gravity,
-    const Forces& forces);
+    const Forces& forces,
+    PassiveForces passive = PassiveForces::included);
 
 // Fills the columns of a turn of the base and of its linear velocity, which change forces like a linear acceleration of
 // the base.

@@ -134,12 +134,7 @@ symbolic::Program derivatives(
     trace.output("d_base_velocity", Role::matrix, rows, d.base_velocity);
   }
   if (solutions == Solutions::in_columns) {
-    const LdlFactors factors = ldl_factors(H.a, H.names);
-    std::vector<Expression> factor;
-    for (const auto& [row, column] : elements_of_factor(elimination_tree(tree)))
-      factor.push_back(factors.l(row, column));
-    factor.insert(factor.end(), factors.inverse_d.begin(), factors.inverse_d.end());
-    trace.output("factor", Role::value, factor);
+    trace.output("factor", Role::value, numbers_of(elimination_tree(tree), ldl_factors(H.a, H.names)));
   }
   return trace.program(name);
 }

@@ -153,20 +153,35 @@ std::vector<std::pair<int, int>> elements_of_factor(const EliminationTree& elimi
   return elements;
 }
 
+std::vector<std::string> labels_of_factor(const EliminationTree& elimination, const std::vector<std::string>& names) {
+  std::vector<std::string> labels;
+  for (const auto& [row, column] : elements_of_factor(elimination))
+    labels.push_back(names[at(row)] + "_" + names[at(column)]);
+  labels.insert(labels.end(), names.begin(), names.end());
+  return labels;
+}
+
+LdlFactors factor_of(const EliminationTree& elimination, const std::vector<Expression>& numbers) {
+  const int size = static_cast<int>(elimination.order.size());
+  LdlFactors factors{SquareMatrix(size), {}};
+  auto next = numbers.begin();
+  for (const auto& [row, column] : elements_of_factor(elimination)) factors.l(row, column) = *next++;
+  factors.inverse_d.assign(next, next + size);
+  return factors;
+}
+
+std::vector<Expression> numbers_of(const EliminationTree& elimination, const LdlFactors& factors) {
+  std::vector<Expression> numbers;
+  for (const auto& [row, column] : elements_of_factor(elimination)) numbers.push_back(factors.l(row, column));
+  numbers.insert(numbers.end(), factors.inverse_d.begin(), factors.inverse_d.end());
+  return numbers;
+}
+
 LdlFactors given_factors(
     ProgramTrace& trace,
     const EliminationTree& elimination,
     const std::vector<std::string>& names) {
-  const std::vector<std::pair<int, int>> elements = elements_of_factor(elimination);
-  std::vector<std::string> labels;
-  for (const auto& [row, column] : elements) labels.push_back(names[at(row)] + "_" + names[at(column)]);
-  labels.insert(labels.end(), names.begin(), names.end());
-  const std::vector<Expression> given = trace.input("factor", Role::value, labels);
-  const int size = static_cast<int>(names.size());
-  LdlFactors factors{SquareMatrix(size), {}};
-  for (std::size_t k = 0; k < elements.size(); ++k) factors.l(elements[k].first, elements[k].second) = given[k];
-  factors.inverse_d.assign(given.end() - size, given.end());
-  return factors;
+  return factor_of(elimination, trace.input("factor", Role::value, labels_of_factor(elimination, names)));
 }
 
 void find_limbs(const model::KinematicTree& tree, const std::string& name, SolvedColumns& solved) {

@@ -15,7 +15,14 @@ namespace robcogen::algorithm {
 // The elements of L that the elimination leaves, by row and column of the ordered matrix.
 std::vector<std::pair<int, int>> elements_of_factor(const EliminationTree& elimination);
 
-// Declares the input `factor`: these elements, then the reciprocals of D. `names`: of the ordered rows.
+// Names of these elements, then of the reciprocals of D. `names`: of the ordered rows.
+std::vector<std::string> labels_of_factor(const EliminationTree& elimination, const std::vector<std::string>& names);
+// The factor from numbers in this order, of which it takes the first.
+LdlFactors factor_of(const EliminationTree& elimination, const std::vector<Expression>& numbers);
+// Its numbers.
+std::vector<Expression> numbers_of(const EliminationTree& elimination, const LdlFactors& factors);
+
+// Declares the input `factor` for these numbers.
 LdlFactors given_factors(
     ProgramTrace& trace,
     const EliminationTree& elimination,

@@ -42,15 +42,6 @@ void append(std::vector<Rate>& changes, const std::vector<Rate>& more) {
   changes.insert(changes.end(), more.begin(), more.end());
 }
 
-// Accelerations are held constant, even if they are results.
-std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
-  std::vector<Rate> held;
-  for (const int joint : tree.coordinates()) held.push_back({in.qdd[at(joint)], Expression()});
-  for (const Vector3& part : {in.base_acceleration.angular, in.base_acceleration.linear})
-    for (const Expression& e : part.element) held.push_back({e, Expression()});
-  return held;
-}
-
 }  // namespace
 
 std::vector<Expression> generalized_forces(Trace& trace, const Force& base_wrench, const std::vector<Expression>& tau) {
@@ -79,6 +70,37 @@ Columns derivatives_by_positions(
   return columns;
 }
 
+std::vector<Expression> derivative_by_velocity(
+    Trace& trace,
+    const std::vector<Expression>& of,
+    const Expression& velocity,
+    std::vector<Rate> held) {
+  held.insert(held.begin(), {velocity, trace.graph.one()});
+  return symbolic::rates_of(of, held);
+}
+
+Columns derivatives_by_velocities(
+    Trace& trace,
+    const std::vector<Expression>& of,
+    const std::vector<Expression>& qd,
+    const std::vector<Rate>& held) {
+  Columns columns;
+  for (const int joint : trace.tree.coordinates()) {
+    const std::string& name = trace.tree.joints[at(joint)].name;
+    trace.section("dqd_" + name, "derivatives by the velocity of joint " + name);
+    columns.push_back(derivative_by_velocity(trace, of, qd[at(joint)], held));
+  }
+  return columns;
+}
+
+std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
+  std::vector<Rate> held;
+  for (const int joint : tree.coordinates()) held.push_back({in.qdd[at(joint)], Expression()});
+  for (const Vector3& part : {in.base_acceleration.angular, in.base_acceleration.linear})
+    for (const Expression& e : part.element) held.push_back({e, Expression()});
+  return held;
+}
+
 ForceDerivatives looped_force_derivatives(
     const TracedRobot& robot,
     const StateInputs& in,
@@ -87,18 +109,9 @@ ForceDerivatives looped_force_derivatives(
   Trace& trace = robot.trace;
   const std::vector<Expression> of = generalized_forces(trace, forces.base_wrench, forces.tau);
   const std::vector<Rate> held = held_accelerations(trace.tree, in);
-  const auto by = [&](const Expression& velocity) {
-    std::vector<Rate> changes = {{velocity, trace.graph.one()}};
-    append(changes, held);
-    return symbolic::rates_of(of, changes);
-  };
   ForceDerivatives d;
   d.q = derivatives_by_positions(trace, of, in.q, held);
-  for (const int joint : trace.tree.coordinates()) {
-    const std::string& name = trace.tree.joints[at(joint)].name;
-    trace.section("dqd_" + name, "derivatives by the velocity of joint " + name);
-    d.qd.push_back(by(in.qd[at(joint)]));
-  }
+  d.qd = derivatives_by_velocities(trace, of, in.qd, held);
   const SquareMatrix H = joint_space_inertia(robot);
   const int base = robot.floating() ? 6 : 0;
   for (int c = 0; c < H.size(); ++c) {
@@ -107,7 +120,8 @@ ForceDerivatives looped_force_derivatives(
   }
   if (!robot.floating()) return d;
   trace.section(robot.link_name(0), "base: derivatives");
-  for (std::size_t k = 0; k < 3; ++k) d.base_velocity.push_back(by(in.base_velocity.angular[k]));
+  for (std::size_t k = 0; k < 3; ++k)
+    d.base_velocity.push_back(derivative_by_velocity(trace, of, in.base_velocity.angular[k], held));
   fill_free_columns(gravity, in.base_velocity.angular, d);
   return d;
 }

@@ -21,6 +21,21 @@ Columns derivatives_by_positions(
     const std::vector<Expression>& q,
     const std::vector<symbolic::Rate>& held = {});
 
+// The same by the velocities of coordinates, and by one velocity.
+Columns derivatives_by_velocities(
+    Trace& trace,
+    const std::vector<Expression>& of,
+    const std::vector<Expression>& qd,
+    const std::vector<symbolic::Rate>& held);
+std::vector<Expression> derivative_by_velocity(
+    Trace& trace,
+    const std::vector<Expression>& of,
+    const Expression& velocity,
+    std::vector<symbolic::Rate> held);
+
+// Holds the accelerations of coordinates and base constant, even if they are results.
+std::vector<symbolic::Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in);
+
 // The same as force_derivatives. in.qdd (by joint) and in.base_acceleration may be inputs or results; forces.tau must
 // have all joint forces, including passive ones.
 ForceDerivatives looped_force_derivatives(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "robcogen/reference/check_contact_derivatives.h"
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/contacts.h"
 
@@ -22,6 +23,8 @@ class ContactCheck {
     if (has("contact_jacobian")) kinematics();
     if (has("constrained_forward_dynamics")) forward_dynamics();
     if (has("impact")) impact();
+    if (has("constrained_forward_dynamics_derivatives")) forward_dynamics_derivatives();
+    if (has("impact_derivatives")) impact_derivatives();
     if (has("inverse_dynamics_with_contacts")) inverse_dynamics();
     if (has("operational_space")) operational_space();
   }
@@ -141,6 +144,67 @@ class ContactCheck {
     record(
         "impact", call("impact", {m.q.values(), m.qd.values(), base_velocity(), restitution, active, compliance}),
         stacked(joints_first(after), expected->tail(rows_)));
+  }
+
+  // A state with random contacts.
+  ContactState contact_state(const Loads<Real>& loads) {
+    const Values restitution = random(c_.robot.contacts.size, 0, 1);
+    return {
+        {c_.motion, loads, vector(random(c_.robot.dof(), -20, 20))},
+        vector(random(rows_, -5, 5)),
+        vector(by_row(c_.robot, restitution)),
+        by_row(c_.robot, random_activity()),
+        random(rows_, 0.1, 1)};
+  }
+  // One value per contact, from one per row.
+  Values by_contact(const std::vector<Real>& rows) const {
+    Values values;
+    int next = 0;
+    for (const reflection::Contact& contact : c_.robot.contacts) {
+      values.push_back(static_cast<double>(rows[static_cast<std::size_t>(next)]));
+      next += contact.is_surface ? 6 : 3;
+    }
+    return values;
+  }
+  static Values doubles(const Vector<Real>& v) { return v.cast<double>().values(); }
+
+  void forward_dynamics_derivatives() {
+    const Motion<double>& m = c_.sample.motion;
+    Values external;
+    for (const Vector<double>& wrench : c_.sample.external)
+      external.insert(external.end(), wrench.values().begin(), wrench.values().end());
+    for (const Overload& o : overloads(c_.sample)) {
+      const bool all = o.arguments.gravity != nullptr && o.arguments.external != nullptr;
+      const bool folded = o.arguments.gravity == nullptr && o.arguments.external == nullptr && !c_.floating;
+      if (!all && !folded) continue;
+      const ContactState s = contact_state(o.loads);
+      const auto expected = constrained_accelerations(c_.robot, s, 1e-3 * kContact.value);
+      if (!expected) continue;
+      const std::vector<Real> active(s.active.begin(), s.active.end());
+      std::vector<Values> arguments = {m.q.values(),      m.qd.values(),      doubles(s.at.tau), base_velocity(),
+                                       doubles(s.wanted), by_contact(active), s.compliance};
+      if (all) arguments.insert(arguments.end(), {c_.sample.gravity.values(), external});
+      const std::string name = std::string("constrained_forward_dynamics_derivatives") + (all ? "_external" : "");
+      const Vector<Real> found = call(name, arguments);
+      record(name, found.head(c_.H.rows() + rows_), stacked(joints_first(*expected), expected->tail(rows_)));
+      ContactBlocks blocks(c_, name, found, s, constrained_accelerations, checks_);
+      compare_blocks_of_forward_dynamics(blocks, c_, engine_);
+    }
+  }
+
+  void impact_derivatives() {
+    const Motion<double>& m = c_.sample.motion;
+    const ContactState s = contact_state({});
+    const auto expected = velocities_after_impact(c_.robot, s, 1e-3 * kContact.value);
+    if (!expected) return;
+    const std::vector<Real> active(s.active.begin(), s.active.end());
+    const Vector<Real> found = call(
+        "impact_derivatives", {m.q.values(), m.qd.values(), base_velocity(), by_contact(s.restitution.values()),
+                               by_contact(active), s.compliance});
+    record(
+        "impact_derivatives", found.head(c_.H.rows() + rows_), stacked(joints_first(*expected), expected->tail(rows_)));
+    ContactBlocks blocks(c_, "impact_derivatives", found, s, velocities_after_impact, checks_);
+    compare_blocks_of_impact(blocks, c_, engine_);
   }
 
   void inverse_dynamics() {
