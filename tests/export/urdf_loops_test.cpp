@@ -92,14 +92,14 @@ TEST(UrdfLoopsOnOneLine, KeepTheirAssembly) {
            assembled + " } ";
   };
   for (const double side : {1.0, -1.0}) {
-    const std::string position = "assembled = " + std::to_string(0.9 * side);
+    const std::string position = "assembled = " + std::to_string(2.4 * side);
     const KinematicTree tree = numeric::tree_of_text(
         "Robot FourBar { RobotBase base { children { crank via a rocker via c } } link crank { id = 1 " + inertia +
         "children { rod via b } } link rod { id = 2 " + inertia +
         "children {} frames { end { translation = (0.4, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } link rocker { id = "
         "3 " +
         inertia + "children {} frames { pin { translation = (0.5, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } } } " +
-        joint("a", "0.0", "") + joint("b", "0.2", position) + joint("c", "0.8", "") +
+        joint("a", "0.0", "") + joint("b", "0.2", "") + joint("c", "0.8", position) +
         "loops { bar { frames = end ~ pin type = hinge } } independent { a } }");
     ASSERT_TRUE(exporting::may_be_urdf_loop(tree.loops.front()));
     const KinematicTree back = through_urdf(tree);

@@ -172,7 +172,9 @@ TEST_F(Outputs, MayBeLinksAndStreams) {
   EXPECT_EQ(run("draw arm.urdf -o /dev/stdout", "> redirected.svg").status, 0);
   EXPECT_EQ(get("redirected.svg"), get("drawing.svg"));
   ASSERT_EQ(::mkfifo((scratch_.path / "pipe").c_str(), 0600), 0);
-  EXPECT_EQ(run("draw arm.urdf -o pipe", "& cat pipe > read.svg; wait $!").status, 0);
+  const std::string read =
+      "& timeout 60 cat " + quoted(scratch_.path / "pipe") + " > " + quoted(scratch_.path / "read.svg");
+  EXPECT_EQ(run("draw arm.urdf -o pipe", read + "; wait $!").status, 0);
   EXPECT_TRUE(fs::is_fifo(scratch_.path / "pipe"));
   EXPECT_EQ(get("read.svg"), get("drawing.svg"));
 }
