@@ -118,6 +118,7 @@ function(robcogen_add_robot)
   _robcogen_check_robot()
   _robcogen_check_names()
   _robcogen_require_tool()
+  _robcogen_check_cpp_compiler()
 
   _robcogen_is_xacro("${library_MODEL}" is_xacro)
   if(is_xacro)

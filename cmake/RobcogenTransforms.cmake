@@ -38,6 +38,7 @@ function(robcogen_add_transforms)
   _robcogen_check_documents(${document_keyword})
   _robcogen_check_names()
   _robcogen_require_tool()
+  _robcogen_check_cpp_compiler()
 
   set(groups transforms)
   if(library_DERIVATIVES)
