@@ -47,6 +47,10 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked) {
 }
 
 void require_urdf(const std::filesystem::path& model, const import::UrdfOptions& options) {
+  if (options.friction_velocity > 0 && !options.passive_forces)
+    throw Failure{
+        wrong_usage,
+        "robcogen: error: --friction-velocity needs --passive-forces: without them, friction is not part of the dynamics"};
   const bool for_urdf =
       options.floating_base || options.snap_angles || options.passive_forces || options.allow_implausible;
   if (!for_urdf && !options.free_mimic_joints) return;
