@@ -271,15 +271,17 @@ function paintBase(context, view, pose, size, ground, theme) {
   context.stroke();
 }
 
-// Paints names near their points if there is room; where points are crowded, only the first names.
+// Paints names near their points if there is room; where points are crowded, only the first names. The name of a frame gives
+// way to other names at its point.
 function paintNames(context, view, names, size, theme) {
-  const taken = [], known = new Set();
+  const taken = [], places = [], known = new Set();
   context.font = "12px system-ui, sans-serif";
   context.lineJoin = "round";
-  for (const { at, text, strong } of names) {
+  for (const { at, text, strong, isFrame } of names) {
     if (known.has(text)) continue;
     known.add(text);
     const { x, y } = view.see(at);
+    if (isFrame && places.some((p) => Math.hypot(p.x - x, p.y - y) < 8)) continue;
     const width = context.measureText(text).width;
     const left = -9 - width, middle = -width / 2;
     for (const [dx, dy] of [[9, -5], [9, 15], [left, -5], [left, 15], [middle, -16], [middle, 26]]) {
@@ -288,6 +290,7 @@ function paintNames(context, view, names, size, theme) {
       const meets = (o) => box.left < o.right && o.left < box.right && box.top < o.bottom && o.top < box.bottom;
       if (outside || taken.some(meets)) continue;
       taken.push(box);
+      places.push({ x, y });
       context.strokeStyle = theme.paper;
       context.lineWidth = 3;
       context.strokeText(text, x + dx, y + dy);
@@ -307,10 +310,10 @@ function namesOf(robot, posture, { show, selected }) {
   }
   if (!show.names) return names;
   if (selected !== 0) names.push(linkName(0));
-  robot.data.frames.forEach((frame, f) => {
-    if (isShown(robot, posture, f, show)) names.push({ at: origin(posture.poses[f]), text: frame.name });
-  });
   robot.joints.forEach((joint) => names.push({ at: origin(posture.poses[joint.child]), text: nameOf(joint) }));
+  robot.data.frames.forEach((frame, f) => {
+    if (isShown(robot, posture, f, show)) names.push({ at: origin(posture.poses[f]), text: frame.name, isFrame: true });
+  });
   return names;
 }
 
