@@ -1,34 +1,34 @@
-// Messages as a user sees them: a document bad/<name>.<extension> must produce exactly bad/<name>.expected (nothing if
-// the document is correct).
-//
-// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
+// Messages as a user sees them: a document must produce exactly the messages in its file (none if it is correct).
+// golden.h describes these files, golden_test.h how they are updated.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "golden.h"
+#include "golden_test.h"
 #include "support/source.h"
 
 namespace robcogen::test {
 
 inline std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return bytes_of(path);
 }
 
 // A source that messages refer to by its file name alone.
 inline std::shared_ptr<const Source> source_of_file(const std::filesystem::path& path) {
   return std::make_shared<Source>(path.filename().string(), contents(path));
+}
+
+// The same for the document in a golden file.
+inline std::shared_ptr<const Source> source_of_golden(const std::filesystem::path& path) {
+  return std::make_shared<Source>(path.filename().string(), golden_at(path).document);
 }
 
 // Files of a folder with one of these extensions, sorted; an empty list if the folder does not exist.
@@ -43,28 +43,21 @@ inline std::vector<std::filesystem::path> files(
   return result;
 }
 
-// The names of the documents in a folder, without their extensions.
-inline std::vector<std::string> stems(const std::filesystem::path& folder, const std::set<std::string>& extensions) {
-  std::vector<std::string> result;
-  for (const std::filesystem::path& file : files(folder, extensions)) result.push_back(file.stem().string());
-  return result;
-}
-
 // The name of the test for this document: its stem.
-inline std::string test_name(const testing::TestParamInfo<std::string>& document) {
-  std::string name = document.param;
+inline std::string test_name(const testing::TestParamInfo<std::filesystem::path>& document) {
+  std::string name = document.param.stem().string();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-// Compares the messages with the file, or writes the file.
-inline void expect_messages(const std::string& messages, const std::filesystem::path& expected) {
-  if (std::getenv("ROBCOGEN_ACCEPT_MESSAGES") != nullptr) {
-    std::ofstream(expected, std::ios::binary) << messages;
-    GTEST_SKIP() << "wrote " << expected;
-  }
-  ASSERT_TRUE(exists(expected)) << expected << " is missing; the messages are\n" << messages;
-  EXPECT_EQ(messages, contents(expected));
+// Compares the messages with those in the file, or writes them.
+inline void expect_messages(const std::string& messages, const std::filesystem::path& file) {
+  Golden golden = golden_at(file);
+  const std::optional<std::string> expected = golden.messages;
+  expect_golden(file, expected, messages, "has no line '==== messages ====' with the expected messages after it", [&] {
+    golden.messages = messages;
+    std::ofstream(file, std::ios::binary) << text_of(golden);
+  });
 }
 
 // The first capture group of each match.
@@ -74,21 +67,27 @@ inline std::set<std::string> matches(const std::string& text, const std::regex& 
   return result;
 }
 
-// The codes in the `.expected` files of a folder.
-inline std::set<std::string> shown_codes(const std::filesystem::path& folder) {
+// The codes in the messages of the folder's documents.
+inline std::set<std::string> shown_codes(const std::filesystem::path& folder, const std::set<std::string>& extensions) {
   const std::regex rendered(R"re((?:error|warning|note): .*\[([a-z0-9-]+)\]\n)re");
   std::set<std::string> shown;
-  for (const std::filesystem::path& file : files(folder, {".expected"})) shown.merge(matches(contents(file), rendered));
+  for (const std::filesystem::path& file : files(folder, extensions))
+    shown.merge(matches(golden_at(file).messages.value_or(""), rendered));
   return shown;
 }
 
-// Checks that a document of the folder shows each of these codes, and that there are more than `at_least` codes.
+// Checks that a document of the folder shows each of these codes, that there are more than `at_least` codes, and that
+// each file of the folder is such a document; another file would never be checked.
 inline void expect_documents(
     const std::set<std::string>& codes,
     const std::filesystem::path& folder,
+    const std::set<std::string>& extensions,
     std::size_t at_least = 30) {
   EXPECT_GT(codes.size(), at_least) << "the codes were not found in the sources";
-  const std::set<std::string> shown = shown_codes(folder);
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    EXPECT_TRUE(entry.is_directory() || extensions.contains(entry.path().extension().string()))
+        << entry.path() << " is not a document of these tests";
+  const std::set<std::string> shown = shown_codes(folder, extensions);
   for (const std::string& code : codes) EXPECT_TRUE(shown.contains(code)) << "no document yields [" << code << "]";
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "client.h"
+#include "goldens.h"
 
 namespace robcogen::test {
 namespace {
@@ -11,25 +12,15 @@ namespace fs = std::filesystem;
 
 const fs::path kRooms = fs::path(TEST_SOURCE_DIR).parent_path();
 
-// Documents whose messages on the command line are recorded in a file.
-std::vector<fs::path> documents() {
-  // Leaves out documents that need a command-line option, and files that the command line refuses before parsing.
-  const std::regex options(
+// Documents whose messages on the command line are recorded, of these folders.
+const std::vector<std::string> kRoomsOfMessages = {"language", "model", "parts", "import"};
+
+// False for documents that need a command-line option, and for files that the command line refuses before parsing.
+bool is_compared(const GoldenDocument& document) {
+  static const std::regex options(
       "-snap|-free-mimic|-floating-base|-allow-implausible|not-original|nul\\b|utf-16|-binary|garbage|"
       "other-format|-mjcf|-urdf|unreadable-import");
-  std::vector<fs::path> result;
-  for (const char* room : {"language", "model", "parts", "import"}) {
-    for (const auto& entry : fs::directory_iterator(kRooms / room / "bad")) {
-      fs::path expected = entry.path();
-      const std::string suffix = expected.extension().string();
-      const bool is_document = entry.is_regular_file() && suffix != ".expected";
-      if (is_document && fs::exists(expected.replace_extension(".expected")) &&
-          !std::regex_search(entry.path().stem().string(), options))
-        result.push_back(entry.path());
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+  return !std::regex_search(document.file.stem().string(), options);
 }
 
 // Returns the document without a leading byte order mark, which editors omit.
@@ -72,14 +63,15 @@ std::size_t characters(const Client& client, const std::string& uri, const Json&
       marked.begin(), marked.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-void expect_same_diagnostics(const fs::path& file) {
+void expect_same_diagnostics(const GoldenDocument& document) {
+  const fs::path& file = document.file;
   SCOPED_TRACE(file);
   Client client;
   client.open(file_uri(file), text_for_editor(file));
   fs::path list = file;
   if (list.replace_extension(".dtdsl") != file && fs::exists(list)) client.open(file_uri(list), contents(list));
 
-  const std::vector<Message> expected = messages_in(contents(fs::path(file).replace_extension(".expected")));
+  const std::vector<Message> expected = messages_in(document.messages);
   for (const Message& m : expected) {
     bool is_found = false;
     for (const auto& [uri, shown] : client.diagnostics) {
@@ -110,9 +102,10 @@ class SameDiagnostics : public testing::TestWithParam<std::string> {};
 
 TEST_P(SameDiagnostics, AsOnTheCommandLine) {
   int count = 0;
-  for (const fs::path& file : documents()) {
-    if (file.parent_path().parent_path().filename() != GetParam()) continue;
-    expect_same_diagnostics(file);
+  const UnpackedGoldens goldens({GetParam()});
+  for (const GoldenDocument& document : goldens.documents) {
+    if (!is_compared(document)) continue;
+    expect_same_diagnostics(document);
     ++count;
   }
   EXPECT_GT(count, 20);
@@ -121,19 +114,19 @@ TEST_P(SameDiagnostics, AsOnTheCommandLine) {
 INSTANTIATE_TEST_SUITE_P(
     Bad,
     SameDiagnostics,
-    testing::Values("language", "model", "parts", "import"),
+    testing::ValuesIn(kRoomsOfMessages),
     [](const testing::TestParamInfo<std::string>& room) { return room.param; });
 
 // Every code that these files expect was compared, and there are many of them.
 TEST(Diagnostics, OfEveryCodeAreCompared) {
   std::set<std::string> all, compared;
-  for (const char* room : {"language", "model", "parts", "import"})
-    for (const auto& entry : fs::directory_iterator(kRooms / room / "bad"))
-      if (entry.path().extension() == ".expected")
-        for (const Message& m : messages_in(contents(entry.path()))) all.insert(m.code);
-  for (const fs::path& file : documents())
-    for (const Message& m : messages_in(contents(fs::path(file).replace_extension(".expected"))))
-      compared.insert(m.code);
+  const UnpackedGoldens goldens(kRoomsOfMessages);
+  for (const GoldenDocument& document : goldens.documents) {
+    for (const Message& m : messages_in(document.messages)) {
+      all.insert(m.code);
+      if (is_compared(document)) compared.insert(m.code);
+    }
+  }
   EXPECT_GT(compared.size(), 100U);
   const std::set<std::string> not_of_files = {"not-original", "not-utf-8", "other-format", "unreadable-import"};
   for (const std::string& code : all)

@@ -1,12 +1,9 @@
 // Quick fixes: each is applied, and the diagnostic that it fixes is gone.
 #include "client.h"
+#include "goldens.h"
 
 namespace robcogen::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-const fs::path kRooms = fs::path(TEST_SOURCE_DIR).parent_path();
 
 Json fixes_of(Client& client, const std::string& uri, const Json& range) {
   return client.ask_about(
@@ -21,28 +18,26 @@ std::size_t count(const std::vector<std::string>& codes, const std::string& code
 // code.
 TEST(QuickFixes, RemoveWhatTheyFix) {
   std::map<std::string, int> fixed;
-  for (const char* room : {"language", "model", "parts"}) {
-    for (const auto& entry : fs::directory_iterator(kRooms / room / "bad")) {
-      if (!entry.is_regular_file() || entry.path().extension() == ".expected") continue;
-      const std::string uri = file_uri(entry.path()), text = contents(entry.path());
-      if (text.size() > 100000 || text.find("\r") != std::string::npos) continue;
-      Client client;
-      client.open(uri, text);
-      const Json diagnostics = client.diagnostics[uri];
-      for (const Json& d : diagnostics) {
-        if (d["code"] == "unchecked-list") continue;
-        for (const Json& action : fixes_of(client, uri, d["range"])) {
-          const Json& of = action.at("diagnostics").at(0);
-          if (of != d) continue;
-          const std::string code = of.at("code");
-          const std::vector<std::string> before = client.codes(uri);
-          client.change(uri, edited(text, action.at("edit").at("changes").at(uri)));
-          Json left = client.diagnostics[uri];
-          EXPECT_EQ(std::count(left.begin(), left.end(), d), 0) << uri << "\n" << d.dump(1) << action.dump(1);
-          const bool is_better = count(client.codes(uri), code) < count(before, code);
-          fixed[code] += is_better ? 1 : 0;
-          client.change(uri, text);
-        }
+  const UnpackedGoldens goldens({"language", "model", "parts"});
+  for (const GoldenDocument& document : goldens.documents) {
+    const std::string uri = file_uri(document.file), text = contents(document.file);
+    if (text.size() > 100000 || text.find("\r") != std::string::npos) continue;
+    Client client;
+    client.open(uri, text);
+    const Json diagnostics = client.diagnostics[uri];
+    for (const Json& d : diagnostics) {
+      if (d["code"] == "unchecked-list") continue;
+      for (const Json& action : fixes_of(client, uri, d["range"])) {
+        const Json& of = action.at("diagnostics").at(0);
+        if (of != d) continue;
+        const std::string code = of.at("code");
+        const std::vector<std::string> before = client.codes(uri);
+        client.change(uri, edited(text, action.at("edit").at("changes").at(uri)));
+        Json left = client.diagnostics[uri];
+        EXPECT_EQ(std::count(left.begin(), left.end(), d), 0) << uri << "\n" << d.dump(1) << action.dump(1);
+        const bool is_better = count(client.codes(uri), code) < count(before, code);
+        fixed[code] += is_better ? 1 : 0;
+        client.change(uri, text);
       }
     }
   }

@@ -1,13 +1,13 @@
-// Calls a fuzz target with every file in the given folders: without libFuzzer, this checks the seeds and earlier
-// findings.
+// Calls a fuzz target with every text in the files of the given folders: without libFuzzer, this checks the seeds and
+// earlier findings. A golden file has several texts.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
+
+#include "../golden.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -18,11 +18,10 @@ int main(int count, char** arguments) {
       if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& path : files) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
     std::printf("%s\n", path.c_str());
     std::fflush(stdout);  // the last line names the file that ended the program
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    for (const std::string& text : robcogen::test::parts_of(robcogen::test::golden_at(path)))
+      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   }
   return files.empty() ? 1 : 0;
 }

@@ -1,7 +1,5 @@
-// Every message of the URDF import, as a user sees it: bad/<name>.urdf must produce exactly bad/<name>.expected. Words
-// in the name set options: `-snap`, `-free-mimic`, `-floating-base`.
-//
-// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
+// Every message of the URDF import, as a user sees it: bad/<name>.urdf must produce exactly the messages in its file.
+// Words in the name set options: `-snap`, `-free-mimic`, `-floating-base`, `-allow-implausible`.
 #include "import/urdf/document.h"
 #include "reading.h"
 
@@ -14,10 +12,10 @@ path folder() {
   return path(TEST_SOURCE_DIR) / "bad";
 }
 
-class Messages : public testing::TestWithParam<std::string> {};
+class Messages : public testing::TestWithParam<path> {};
 
 TEST_P(Messages, AreAsExpected) {
-  const auto asks_for = [&](const char* word) { return GetParam().find(word) != std::string::npos; };
+  const auto asks_for = [&](const char* word) { return GetParam().stem().string().find(word) != std::string::npos; };
   import::UrdfOptions options;
   options.snap_angles = asks_for("-snap");
   options.free_mimic_joints = asks_for("-free-mimic");
@@ -27,14 +25,14 @@ TEST_P(Messages, AreAsExpected) {
   Diagnostics diagnostics;
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  const auto tree = import::urdf(test::source_of_file(folder() / (GetParam() + ".urdf")), options, diagnostics);
+  const auto tree = import::urdf(test::source_of_golden(GetParam()), options, diagnostics);
   EXPECT_EQ(testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(tree.has_value(), !diagnostics.has_errors());
 
-  test::expect_messages(diagnostics.render(), folder() / (GetParam() + ".expected"));
+  test::expect_messages(diagnostics.render(), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), {".urdf"})), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), {".urdf"})), test::test_name);
 
 // Codes are the string literals in kebab case and all literals passed to error(), warning() or note().
 TEST(Messages, OfEveryCodeHaveADocument) {
@@ -49,7 +47,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
   }
   codes.erase("urdf-unavailable");  // only from a generator without urdfdom
   codes.erase("urdfdom");           // only if urdfdom refuses what this reader accepts: see the next test
-  test::expect_documents(codes, folder());
+  test::expect_documents(codes, folder(), {".urdf"});
 }
 
 TEST(Messages, QuoteUrdfdom) {

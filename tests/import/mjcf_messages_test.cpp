@@ -1,7 +1,5 @@
-// Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly
-// mjcf_bad/<name>.expected. `-free-mimic` in the name sets that option.
-//
-// If ROBCOGEN_ACCEPT_MESSAGES is set in the environment, the current messages are written to those files for review.
+// Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly the messages in its
+// file. `-free-mimic` in the name sets that option.
 #include "import/mjcf.h"
 #include "reading.h"
 
@@ -21,19 +19,20 @@ std::string without_folder(std::string text) {
   return text;
 }
 
-class MjcfMessages : public testing::TestWithParam<std::string> {};
+class MjcfMessages : public testing::TestWithParam<path> {};
 
 TEST_P(MjcfMessages, AreAsExpected) {
-  const path file = folder() / (GetParam() + ".xml");
-  const import::MjcfOptions options{.free_equality_joints = GetParam().find("-free-mimic") != std::string::npos};
+  const path& file = GetParam();
+  const import::MjcfOptions options{
+      .free_equality_joints = file.stem().string().find("-free-mimic") != std::string::npos};
   Diagnostics diagnostics;
-  const auto robot = import::mjcf(test::source_of_file(file), file, options, diagnostics);
+  const auto robot = import::mjcf(test::source_of_golden(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());
 
-  test::expect_messages(without_folder(diagnostics.render()), folder() / (GetParam() + ".expected"));
+  test::expect_messages(without_folder(diagnostics.render()), file);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::stems(folder(), {".xml"})), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::files(folder(), {".xml"})), test::test_name);
 
 // Codes are the string literals in kebab case.
 TEST(MjcfMessages, OfEveryCodeHaveADocument) {
@@ -42,7 +41,7 @@ TEST(MjcfMessages, OfEveryCodeHaveADocument) {
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));
   codes.erase("mjcf-unavailable");  // only from a generator without urdfdom
-  test::expect_documents(codes, folder());
+  test::expect_documents(codes, folder(), {".xml"});
 }
 
 }  // namespace

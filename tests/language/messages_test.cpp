@@ -1,5 +1,5 @@
-// Every message of the parsers, as a user sees it: bad/<name>.kindsl, .dtdsl, .motdsl or .ctdsl must produce exactly
-// bad/<name>.expected (nothing if the document is correct). not-original.kindsl is read as by `print --original`.
+// Every message of the parsers, as a user sees it: each document in bad/ (.kindsl, .dtdsl, .motdsl or .ctdsl) must
+// produce exactly the messages in its file. not-original.kindsl is read as by `print --original`.
 #include "language/kinematics/original.h"
 #include "reading.h"
 
@@ -20,13 +20,13 @@ const std::set<std::string>& extensions() {
 std::string messages_of(const path& document) {
   Diagnostics diagnostics;
   if (document.extension() == ".dtdsl") {
-    language::desired::parse(test::source_of_file(document), diagnostics);
+    language::desired::parse(test::source_of_golden(document), diagnostics);
   } else if (document.extension() == ".motdsl") {
-    language::motion::parse(test::source_of_file(document), diagnostics);
+    language::motion::parse(test::source_of_golden(document), diagnostics);
   } else if (document.extension() == ".ctdsl") {
-    language::transforms::parse(test::source_of_file(document), diagnostics);
+    language::transforms::parse(test::source_of_golden(document), diagnostics);
   } else {
-    const auto robot = language::kinematics::parse(test::source_of_file(document), diagnostics);
+    const auto robot = language::kinematics::parse(test::source_of_golden(document), diagnostics);
     if (document.stem() == "not-original") language::kinematics::is_original(robot, diagnostics);
   }
   return diagnostics.render();
@@ -35,16 +35,10 @@ std::string messages_of(const path& document) {
 class Messages : public testing::TestWithParam<path> {};
 
 TEST_P(Messages, AreAsExpected) {
-  test::expect_messages(messages_of(GetParam()), path(GetParam()).replace_extension(".expected"));
+  test::expect_messages(messages_of(GetParam()), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Bad,
-    Messages,
-    testing::ValuesIn(test::files(folder(), extensions())),
-    [](const testing::TestParamInfo<path>& document) {
-      return test::test_name({document.param.stem().string(), document.index});
-    });
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), extensions())), test::test_name);
 
 // A code is the first literal passed to error(), error_at() or warning_at(), possibly after a span.
 TEST(Messages, OfEveryCodeHaveADocument) {
@@ -54,19 +48,38 @@ TEST(Messages, OfEveryCodeHaveADocument) {
        std::filesystem::recursive_directory_iterator(path(ROBCOGEN_SOURCE_DIR) / "tool" / "language")) {
     if (entry.path().extension() == ".cpp") codes.merge(test::matches(test::contents(entry.path()), reported));
   }
-  test::expect_documents(codes, folder());
-  for (const std::string& code : test::shown_codes(folder()))
+  test::expect_documents(codes, folder(), extensions());
+  for (const std::string& code : test::shown_codes(folder(), extensions()))
     EXPECT_TRUE(codes.contains(code)) << "[" << code << "] was not found in the sources";
 }
 
-// Every file of messages belongs to a document; a stray file would never be checked.
-TEST(Messages, BelongToADocument) {
-  for (const path& expected : test::files(folder(), {".expected"})) {
-    int documents = 0;
-    for (const std::string& extension : extensions())
-      documents += exists(path(expected).replace_extension(extension)) ? 1 : 0;
-    EXPECT_EQ(documents, 1) << expected;
+// The format of these files: see golden.h.
+TEST(Golden, KeepsEveryByteOfADocument) {
+  using namespace std::string_literals;
+  for (const std::string& document :
+       {""s, "\n"s, "a"s, "a\n"s, "a\n\n"s,
+        "\xEF\xBB\xBF"
+        "a\r\n"s,
+        "\0\n\0"s, "/* a"s, " ==== messages ====\n"s, "====\n=== a ====\n"s, std::string(100'000, '=')}) {
+    for (const auto& list : {std::optional<std::string>(), {""s}, {"b"s}, {"b\n"s}}) {
+      for (const auto& messages : {std::optional<std::string>(), {""s}, {"c: error: d [e]\n"s}}) {
+        if (list && !messages) continue;  // a list always has messages
+        const test::Golden read = test::golden_of(text_of(test::Golden{document, list, messages}));
+        EXPECT_EQ(read.document, document);
+        EXPECT_EQ(read.list, list);
+        EXPECT_EQ(read.messages, messages);
+      }
+    }
   }
+  for (const path& file : test::files(folder(), extensions()))
+    EXPECT_EQ(text_of(test::golden_at(file)), test::contents(file)) << file;
+}
+
+TEST(Golden, RefusesMarkersThatItDoesNotKnow) {
+  for (const char* text :
+       {"a\n==== message ====\n", "==== messages\n", "==== messages ====\n==== list ====\n",
+        "==== messages ====\n==== messages ====\n", "==== messages (no newline above) ====\n"})
+    EXPECT_THROW(test::golden_of(text), std::runtime_error) << text;
 }
 
 }  // namespace

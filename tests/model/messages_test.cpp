@@ -1,6 +1,5 @@
-// Every message of the model and of the import, as a user sees it: bad/<name>.kindsl, .motdsl or .ctdsl, with
-// bad/<name>.dtdsl for messages about desired transforms, must produce exactly bad/<name>.expected (nothing if the
-// document is correct).
+// Every message of the model and of the import, as a user sees it: each document in bad/ (.kindsl, .motdsl or .ctdsl),
+// with the list of desired transforms in the same file, if any, must produce exactly the messages in that file.
 #include "import/frames.h"
 #include "reading.h"
 
@@ -13,56 +12,58 @@ path folder() {
   return path(TEST_SOURCE_DIR) / "bad";
 }
 
-path file(const std::string& name, const std::string& extension) {
-  return folder() / (name + extension);
+const std::set<std::string>& extensions() {
+  static const std::set<std::string> all = {".kindsl", ".motdsl", ".ctdsl"};
+  return all;
+}
+
+// The list of desired transforms in a file, as if it were in <name>.dtdsl; null if there is none.
+std::shared_ptr<const Source> list_of(path file) {
+  const std::optional<std::string> list = test::golden_at(file).list;
+  return list ? std::make_shared<Source>(file.replace_extension(".dtdsl").filename().string(), *list) : nullptr;
 }
 
 // Reads a document of any language into its model; the model exists if and only if there are no errors.
-void read_robot(const std::string& name, Diagnostics& diagnostics) {
-  const auto tree = test::tree_of(test::source_of_file(file(name, ".kindsl")), diagnostics);
+void read_robot(const path& file, Diagnostics& diagnostics) {
+  const auto tree = test::tree_of(test::source_of_golden(file), diagnostics);
   EXPECT_EQ(tree.has_value(), !diagnostics.has_errors());
-  const path list = file(name, ".dtdsl");
-  if (!tree || !exists(list)) return;
-  import::desired_transforms(language::desired::parse(test::source_of_file(list), diagnostics), *tree, diagnostics);
+  const auto list = list_of(file);
+  if (!tree || !list) return;
+  import::desired_transforms(language::desired::parse(list, diagnostics), *tree, diagnostics);
 }
 
-void read_motions(const std::string& name, Diagnostics& diagnostics) {
-  const auto document = language::motion::parse(test::source_of_file(file(name, ".motdsl")), diagnostics);
+void read_motions(const path& file, Diagnostics& diagnostics) {
+  const auto document = language::motion::parse(test::source_of_golden(file), diagnostics);
   ASSERT_FALSE(diagnostics.has_errors()) << diagnostics.render();
   const auto motions = import::rigid_motions(document, diagnostics);
   EXPECT_EQ(motions.has_value(), !diagnostics.has_errors());
-  const path list = file(name, ".dtdsl");
-  if (!motions || !exists(list)) return;
-  const auto pairs = language::desired::parse(test::source_of_file(list), diagnostics);
-  import::desired_frame_pairs(pairs, *motions, diagnostics);
+  const auto list = list_of(file);
+  if (!motions || !list) return;
+  import::desired_frame_pairs(language::desired::parse(list, diagnostics), *motions, diagnostics);
 }
 
-void read_transforms(const std::string& name, Diagnostics& diagnostics) {
-  const auto document = language::transforms::parse(test::source_of_file(file(name, ".ctdsl")), diagnostics);
+void read_transforms(const path& file, Diagnostics& diagnostics) {
+  const auto document = language::transforms::parse(test::source_of_golden(file), diagnostics);
   ASSERT_FALSE(diagnostics.has_errors()) << diagnostics.render();
   const auto transforms = import::coordinate_transforms(document, diagnostics);
   EXPECT_EQ(transforms.has_value(), !diagnostics.has_errors());
 }
 
-class Messages : public testing::TestWithParam<std::string> {};
+class Messages : public testing::TestWithParam<path> {};
 
 TEST_P(Messages, AreAsExpected) {
   Diagnostics diagnostics;
-  if (exists(file(GetParam(), ".motdsl"))) {
+  if (GetParam().extension() == ".motdsl") {
     read_motions(GetParam(), diagnostics);
-  } else if (exists(file(GetParam(), ".ctdsl"))) {
+  } else if (GetParam().extension() == ".ctdsl") {
     read_transforms(GetParam(), diagnostics);
   } else {
     read_robot(GetParam(), diagnostics);
   }
-  test::expect_messages(diagnostics.render(), file(GetParam(), ".expected"));
+  test::expect_messages(diagnostics.render(), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Bad,
-    Messages,
-    testing::ValuesIn(test::stems(folder(), {".kindsl", ".motdsl", ".ctdsl"})),
-    test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), extensions())), test::test_name);
 
 // Codes are the string literals in kebab case and all literals passed to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
@@ -76,16 +77,18 @@ TEST(Messages, OfEveryCodeHaveADocument) {
       codes.merge(test::matches(text, reported));
     }
   }
-  test::expect_documents(codes, folder());
+  test::expect_documents(codes, folder(), extensions());
 }
 
 TEST(Messages, ThatAStrictReadingMakesErrorsAreThoseOfTheList) {
   Diagnostics diagnostics;
-  const auto tree = test::tree_of(test::source_of_file(file("unknown-frame", ".kindsl")), diagnostics);
+  const auto tree = test::tree_of(test::source_of_golden(folder() / "unknown-frame.kindsl"), diagnostics);
   ASSERT_TRUE(tree.has_value());
   for (const std::string& code : import::lenient_codes()) {
     Diagnostics of_list;
-    const auto document = language::desired::parse(test::source_of_file(file(code, ".dtdsl")), of_list);
+    const auto list = list_of(folder() / (code + ".kindsl"));
+    ASSERT_TRUE(list) << code;
+    const auto document = language::desired::parse(list, of_list);
     import::desired_transforms(document, *tree, of_list);
     EXPECT_FALSE(of_list.has_errors()) << code;
     of_list.promote_warnings(import::lenient_codes());

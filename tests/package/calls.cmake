@@ -1,5 +1,6 @@
-# Wrong calls and their messages. Each file of calls/ begins with the expected message in comment lines, in which @DIR@
-# is the folder of the call; the configuration must fail with exactly that message.
+# Wrong calls and their messages. Each file of calls/ holds many. A line `#### name` begins a call; its expected message
+# follows in comment lines, in which @DIR@ is the folder of the call. The configuration must fail with exactly that
+# message.
 #
 # cmake -D TOOL=robcogen -D SOURCE_DIR=dir -D WORK_DIR=dir -P calls.cmake
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -18,23 +19,49 @@ function(expected_message file result)
   set(${result} "${message}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB calls ${CMAKE_CURRENT_LIST_DIR}/calls/*.cmake)
-foreach(call IN LISTS calls)
-  cmake_path(GET call STEM name)
+# Configures a project with this text at its end.
+function(expect_failure name text)
   set(directory ${WORK_DIR}/${name})
   file(REMOVE_RECURSE ${directory})
+  file(WRITE ${directory}/call.cmake "${text}")
   # The project has no language, because no call reaches a compiler.
   file(WRITE ${directory}/CMakeLists.txt "
     cmake_minimum_required(VERSION 3.22...3.25)
     project(calls VERSION 1.0.0 LANGUAGES NONE)
     set(robcogen_VERSION ${VERSION})
     include(${SOURCE_DIR}/cmake/Robcogen.cmake)
-    include(${call})")
+    include(call.cmake)")
   file(WRITE ${directory}/hyl.kindsl "")
   run_failing(output ${CMAKE_COMMAND} -S ${directory} -B ${directory}/build -DROBCOGEN_HOST_TOOL=${TOOL})
-  expected_message(${call} expected)
+  expected_message(${directory}/call.cmake expected)
   string(REPLACE "@DIR@" "${directory}" expected "${expected}")
+  if(expected STREQUAL "")
+    message(FATAL_ERROR "${name}: the expected message is missing below '#### ${name}'")
+  endif()
   expect_words(${name} "${output}" "${expected}")
   string(REGEX MATCHALL "CMake Error" errors "${output}")
   expect_equal("${name}: errors" "${errors}" "CMake Error")
+endfunction()
+
+file(GLOB files ${CMAKE_CURRENT_LIST_DIR}/calls/*.cmake)
+set(names "")
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(FIND "${text}" "\n#### " at)
+  while(NOT at EQUAL -1)
+    math(EXPR at "${at} + 6")
+    string(SUBSTRING "${text}" ${at} -1 text)
+    string(FIND "${text}" "\n" end)
+    string(SUBSTRING "${text}" 0 ${end} name)
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(FIND "${text}" "\n#### " at)
+    string(SUBSTRING "${text}" 1 ${at} call)
+    if(name IN_LIST names)
+      message(FATAL_ERROR "${file}: two calls are named '${name}'")
+    endif()
+    list(APPEND names ${name})
+    expect_failure(${name} "${call}")
+  endwhile()
 endforeach()
+list(LENGTH names count)
+message(STATUS "${count} calls")

@@ -1,5 +1,5 @@
-// Every message about parts and imports, as a user sees it: bad/<name>.kindsl must yield exactly bad/<name>.expected
-// (which is empty for a correct document). Documents that others import are in bad/imported.
+// Every message about parts and imports, as a user sees it: bad/<name>.kindsl must yield exactly the messages in its
+// file. Documents that others import are in bad/imported; they have no messages of their own.
 #include "../golden_messages.h"
 #include "import/kinematics.h"
 #include "import/parts.h"
@@ -16,7 +16,7 @@ path folder() {
 // Files are named relative to the folder.
 std::string messages_of(const path& document) {
   Diagnostics diagnostics;
-  const auto source = std::make_shared<Source>(document.string(), test::contents(document));
+  const auto source = std::make_shared<Source>(document.string(), test::golden_at(document).document);
   const auto read = import::robot_document(source, {}, diagnostics);
   EXPECT_EQ(read.has_value(), !diagnostics.has_errors());
   if (read) import::kinematic_tree(read->document, diagnostics);
@@ -26,13 +26,13 @@ std::string messages_of(const path& document) {
   return text;
 }
 
-class Messages : public testing::TestWithParam<std::string> {};
+class Messages : public testing::TestWithParam<path> {};
 
 TEST_P(Messages, AreAsExpected) {
-  test::expect_messages(messages_of(folder() / (GetParam() + ".kindsl")), folder() / (GetParam() + ".expected"));
+  test::expect_messages(messages_of(GetParam()), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::stems(folder(), {".kindsl"})), test::test_name);
+INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), {".kindsl"})), test::test_name);
 
 // A code is the first literal that is given to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
@@ -40,7 +40,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool" / "import" / "parts", {".cpp", ".h"}))
     codes.merge(test::matches(test::contents(file), reported));
-  test::expect_documents(codes, folder(), 15);
+  test::expect_documents(codes, folder(), {".kindsl"}, 15);
 }
 
 }  // namespace

@@ -1,6 +1,0 @@
-function X = Rx(angle)
-% RX  Coordinates from the moved frame to the original one, which is turned by angle (rad) about x.
-  c = cos(angle);
-  s = sin(angle);
-  X = [1, 0, 0, 0; 0, c, -s, 0; 0, s, c, 0; 0, 0, 0, 1];
-end

@@ -1,5 +1,0 @@
-function X = Ty(length)
-% TY  Coordinates from the moved frame to the original one, which is length (m) away along y.
-  X = eye(4);
-  X(2, 4) = length;
-end

@@ -1,2 +1,0 @@
-# robcogen_install_robots(): missing value: PACKAGE
-robcogen_install_robots(TARGETS hyl PACKAGE)

@@ -1,2 +1,0 @@
-# robcogen_install_robots(): TARGETS is missing
-robcogen_install_robots(PACKAGE arms)

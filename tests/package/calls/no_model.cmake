@@ -1,2 +1,0 @@
-# robcogen_add_robot(TARGET hyl): MODEL is missing
-robcogen_add_robot(TARGET hyl)

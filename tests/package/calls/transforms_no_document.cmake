@@ -1,2 +1,0 @@
-# robcogen_add_transforms(TARGET euler): MOTIONS or TRANSFORMS is missing
-robcogen_add_transforms(TARGET euler)

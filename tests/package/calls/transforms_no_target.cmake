@@ -1,2 +1,0 @@
-# robcogen_add_transforms(): TARGET is missing
-robcogen_add_transforms(MOTIONS euler.motdsl)

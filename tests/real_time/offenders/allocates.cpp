@@ -1,5 +1,0 @@
-#include <cstdlib>
-
-double* allocates() {
-  return static_cast<double*>(std::malloc(sizeof(double)));
-}
