@@ -107,7 +107,8 @@ CLI::Validator positive_number() {
   const auto check = [](const std::string& word) -> std::string {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number = error == std::errc() && end == word.data() + word.size() && std::isfinite(value) && value > 0;
+    const bool is_number =
+        error == std::errc() && end == word.data() + word.size() && std::isfinite(value) && value > 0;
     return is_number ? "" : fmt::format("'{}' is not a positive number", word);
   };
   return {check, ""};
@@ -145,7 +146,8 @@ void declare_urdf_options(CLI::App& subcommand, import::UrdfOptions& options) {
   subcommand
       .add_option(
           "--friction-velocity", options.friction_velocity,
-          "URDF: the friction of passive forces is smooth, friction times qd / sqrt(qd^2 + VELOCITY^2), in rad/s or m/s")
+          "URDF: the friction of passive forces is smooth, friction times qd / sqrt(qd^2 + VELOCITY^2), in rad/s or "
+          "m/s")
       ->check(positive_number())
       ->type_name("VELOCITY");
   subcommand.add_flag(

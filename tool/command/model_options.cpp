@@ -50,7 +50,8 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
   if (options.friction_velocity > 0 && !options.passive_forces)
     throw Failure{
         wrong_usage,
-        "robcogen: error: --friction-velocity needs --passive-forces: without them, friction is not part of the dynamics"};
+        "robcogen: error: --friction-velocity needs --passive-forces: without them, friction is not part of the "
+        "dynamics"};
   const bool for_urdf =
       options.floating_base || options.snap_angles || options.passive_forces || options.allow_implausible;
   if (!for_urdf && !options.free_mimic_joints) return;
@@ -59,8 +60,8 @@ void require_urdf(const std::filesystem::path& model, const import::UrdfOptions&
   if (language == driver::Language::mjcf && !for_urdf) return;
   throw Failure{
       wrong_usage, fmt::format(
-                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces and "
-                       "--allow-implausible are for URDF; '{}' states these properties itself",
+                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces, "
+                       "--friction-velocity and --allow-implausible are for URDF; '{}' states these properties itself",
                        model.string())};
 }
 
