@@ -150,6 +150,14 @@ function(_robcogen_check_cpp)
   endforeach()
 endfunction()
 
+# Refuses a library in C++ where no project of this folder or above has enabled the language: CMake would stop at the end of
+# the configuration, with variables of its own. A language that a project below has enabled is not set up here.
+function(_robcogen_check_cpp_compiler)
+  if("cpp" IN_LIST library_LANGUAGES AND NOT CMAKE_CXX_COMPILER_LOADED)
+    _robcogen_refuse("the library needs a C++ compiler: write enable_language(CXX), or project(… LANGUAGES CXX), before this call")
+  endif()
+endfunction()
+
 # Sets the defaults of omitted keywords, and makes paths absolute.
 function(_robcogen_complete_arguments)
   if("${library_NAME}" STREQUAL "")

@@ -1,6 +1,7 @@
 # Checks that a hard real-time loop can call a generated library: a ctest of each library.
 #
-# cmake -D LIBRARY=file -D KERNELS=dir -D OBJECTS=file,file… -D NM=program -D STACK_LIMIT=bytes -P RobcogenRealTime.cmake
+# cmake -D LIBRARY=file -D KERNELS=dir [-D LANGUAGE=C] -D OBJECTS=file,file… -D NM=program -D STACK_LIMIT=bytes
+#       -P RobcogenRealTime.cmake
 #
 # - It calls only the functions of the list below.
 # - Its kernels are straight-line code, without branches and loops: every call does the same operations. Large angles are
@@ -10,6 +11,9 @@
 #   other, which call nothing else; a body over many states calls a kernel. Therefore the largest frame of a body, the two
 #   largest of kernels and cores, and the largest of a part bound the stack, except that of sines, cosines and roots. Their
 #   sum is at most STACK_LIMIT.
+# - In C, kernels are the functions of the library. One that solves for columns calls a function that computes right-hand sides,
+#   perhaps in parts; both have names with two underscores, and the bound has the largest of them twice. Loops over columns
+#   run a fixed number of times.
 #
 # A check that is impossible, for lack of stack reports or of nm, is skipped with a message.
 cmake_minimum_required(VERSION 3.22...3.25)
@@ -73,6 +77,11 @@ endfunction()
 
 function(check_straight_lines)
   file(GLOB files ${KERNELS}/*.h)
+  if(LANGUAGE STREQUAL "C")
+    file(GLOB files ${KERNELS}/*.c)
+    # Names and limits; what CasADi calls.
+    list(FILTER files EXCLUDE REGEX "/(model|casadi)[.]c$")
+  endif()
   if(NOT files)
     message(FATAL_ERROR "${KERNELS} has no kernels")
   endif()
@@ -84,6 +93,9 @@ function(check_straight_lines)
     # Columns of limbs in lanes or one by one: likewise. The lines of the chosen code are indented further.
     string(REGEX REPLACE
       "if constexpr [(]robcogen::kFillsLanes<Scalar, [0-9]+>[)] {((\n   [^\n]*)+)\n  } else {" "{\\1\n  } {" text "${text}")
+    # The loop in C over the columns that a function solves for, and over the rows of one.
+    string(REGEX REPLACE "\n  for [(]; count > 0; --count[)] {" "\n  {" text "${text}")
+    string(REGEX REPLACE "\n    for [(]int row = 0; row < [0-9]+; [+][+]row[)] b" "\n    b" text "${text}")
     # A kernel in lanes first tests whether angles are small.
     string(REGEX REPLACE
       "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)] {[ \n]*if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)] {([^}]*)}"
@@ -111,6 +123,9 @@ function(check_stack)
     file(READ ${report} text)
     # Of function names, as gcc and clang write them, only `part` or `body` is kept.
     string(REGEX REPLACE "[^\n]*(kernel::[^\n\t]*parts::|6kernel[^\n\t]*5parts)[^\n\t]*\t" "part\t" text "${text}")
+    if(LANGUAGE STREQUAL "C")
+      string(REGEX REPLACE "[^\n]*:[A-Za-z0-9_]*[A-Za-z0-9]__[^\n\t]*\t" "part\t" text "${text}")
+    endif()
     string(REGEX REPLACE "[^\n]*(batch::body::|5batch4body)[^\n\t]*\t" "body\t" text "${text}")
     string(REGEX MATCHALL "(part|body)?\t[0-9]+\t[a-z,]+" lines "${text}")
     set(first 0)
@@ -135,6 +150,9 @@ function(check_stack)
         set(second ${bytes})
       endif()
     endforeach()
+    if(LANGUAGE STREQUAL "C")
+      math(EXPR part "2 * ${part}")
+    endif()
     math(EXPR bytes "${body} + ${first} + ${second} + ${part}")
     if(bytes GREATER largest)
       set(largest ${bytes})

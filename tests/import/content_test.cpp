@@ -208,6 +208,17 @@ TEST(Urdf, DampingAndFrictionAreConstantsUntilTheyAreAskedFor) {
   EXPECT_TRUE(asked.of_code("passive-forces-not-used").empty());
 }
 
+TEST(Urdf, FrictionIsSmoothWithAVelocity) {
+  const std::string document =
+      arm(kUnitInertial, "",
+          R"(<axis xyz="0 0 1"/><limit effort="1" velocity="1"/><dynamics damping="0.25" friction="0.5"/>)");
+  import::UrdfOptions options;
+  options.passive_forces = true;
+  EXPECT_EQ(model::evaluate(test::imported(document, options).tree->joints[0].drive.friction_velocity), 0);
+  options.friction_velocity = 0.02;
+  EXPECT_EQ(model::evaluate(test::imported(document, options).tree->joints[0].drive.friction_velocity), 0.02);
+}
+
 // --- frames ------------------------------------------------------------------------------------------------------
 
 TEST(Urdf, JointFrameHasZAlongTheAxis) {

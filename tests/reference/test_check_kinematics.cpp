@@ -2,8 +2,40 @@
 // find.
 #include "right_subject.h"
 
+#include "robcogen/reference/compiled_robot.h"
+
 namespace robcogen::reference {
 namespace {
+
+// A library whose matrices are stored by rows, although its kernels write columns.
+struct StoredByRows {
+  using Scalar = double;
+  using JointState = Eigen::Matrix<double, 1, 1>;
+  static constexpr bool kFloatingBase = false;
+  template <int kRows, int kColumns>
+  using Matrix = Eigen::Matrix<double, kRows, kColumns, Eigen::RowMajor>;
+};
+
+// Numbers its elements in the order in which a kernel writes them.
+template <int kCount>
+void numbered(const double*, double* elements) noexcept {
+  for (int i = 0; i < kCount; ++i) elements[i] = i;
+}
+
+// The checks read elements by their indices, as users do.
+TEST(Checks, FindMatricesStoredByRows) {
+  static constexpr reflection::Transform kTransforms[] = {{"A_X_B", 0, 1, &numbered<16>, &numbered<36>, &numbered<36>}};
+  static constexpr reflection::Jacobian kJacobians[] = {{"A_J_B", 0, 1, nullptr, 2, &numbered<12>}};
+  Robot tables = {};
+  tables.transforms = {kTransforms, 1};
+  tables.jacobians = {kJacobians, 1};
+  const CompiledRobot<StoredByRows> robot(tables);
+  const TransformForms X = robot.transform(0, Vector<double>(1));
+  EXPECT_EQ(X.homogeneous(0, 1), 1);
+  EXPECT_EQ(X.motion(0, 1), 1);
+  EXPECT_EQ(X.force(0, 1), 1);
+  EXPECT_EQ(robot.jacobian(0, Vector<double>(1))(0, 1), 1);
+}
 
 // The columns of a chain towards the base have the opposite sign.
 TEST(Checks, FindAJacobianOfTheWrongSign) {

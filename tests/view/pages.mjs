@@ -190,6 +190,12 @@ async function checkLayout(page) {
     assert.ok(wide <= 0, `the page is ${wide} pixels too wide at ${width}`);
   }
   await page.resize(1400, 900);
+  const cut = await page.evaluate(`[...document.querySelectorAll("#outline span, #outline small")]
+    .filter((name) => name.scrollWidth > name.clientWidth + 1).map((name) => name.textContent)`);
+  assert.deepEqual(cut, [], "the list shows whole names");
+  const off = await page.evaluate(`[...document.querySelectorAll("#toggles label")]
+    .filter((label) => !label.firstChild.checked).map((label) => label.textContent)`);
+  assert.ok(off.includes("other frames"), "frames that are not at a joint are off at first");
   const papers = [];
   for (const scheme of ["dark", "light"]) {
     await page.prefer(scheme);

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -100,6 +102,18 @@ CLI::Validator whole_number() {
   return {check, ""};
 }
 
+// Accepts finite numbers above zero; CLI::PositiveNumber accepts `inf`.
+CLI::Validator positive_number() {
+  const auto check = [](const std::string& word) -> std::string {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool is_number =
+        error == std::errc() && end == word.data() + word.size() && std::isfinite(value) && value > 0;
+    return is_number ? "" : fmt::format("'{}' is not a positive number", word);
+  };
+  return {check, ""};
+}
+
 constexpr const char* kStrictHelp =
     "Treat warnings about the desired-transforms document, and about suspicious names and angles, as errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
@@ -130,6 +144,13 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
       "--free-mimic-joints", options.free_mimic_joints, "URDF, MJCF: coupled joints are read as independent joints");
   subcommand.add_flag(
       "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
+  subcommand
+      .add_option(
+          "--friction-velocity", options.friction_velocity,
+          "URDF: the friction of passive forces is smooth, friction times qd / sqrt(qd^2 + VELOCITY^2), in rad/s or "
+          "m/s")
+      ->check(positive_number())
+      ->type_name("VELOCITY");
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
   subcommand.add_option("--robot", format.robot, "MJCF: the first body of the robot, if the model has several robots");
@@ -237,6 +258,9 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_flag(
       "--double-only", options->is_double_only,
       "cpp: no functions in single precision (no namespace f32), which halves the code to compile");
+  subcommand->add_flag(
+      "--c-selfcheck", options->checks_c,
+      "c: also what the self-check of the library needs, in DIR/c/selfcheck; robots only");
   subcommand->add_option("--language", options->languages, "Target languages; default cpp. Others go to DIR/<language>")
       ->delimiter(',')
       ->check(one_of(language_names()));

@@ -9,6 +9,7 @@
 #include "backend/common/names.h"
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
+#include "backend/selfcheck/selfcheck.h"
 #include "command/output.h"
 #include "command/output_files.h"
 #include "command/spherical_joints.h"
@@ -150,6 +151,8 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
         language->features);
     hash = library.model_hash;
     std::vector<OutputFile> printed = language->print(library);
+    if (options.checks_c && language->name == "c")
+      for (OutputFile& file : backend::selfcheck::print(library)) printed.push_back(std::move(file));
     if (language->name == "cpp") {
       files = std::move(printed);
       continue;
@@ -183,6 +186,8 @@ void require_options_of_transforms(const GenerateOptions& options) {
     throw Failure{wrong_usage, "robcogen: error: --batch applies to robots only, not to motions and transforms"};
   if (!levels_of(options).empty())
     throw Failure{wrong_usage, "robcogen: error: --processors applies to robots only, not to motions and transforms"};
+  if (options.checks_c)
+    throw Failure{wrong_usage, "robcogen: error: --c-selfcheck applies to robots only, not to motions and transforms"};
   for (const backend::Language* language : languages_of(options))
     if (!language->takes_transforms)
       throw Failure{
@@ -202,6 +207,7 @@ void require_languages(const GenerateOptions& options) {
       {options.has_batches, "--batch", {"cpp"}},
       {!options.processors.empty(), "--processors", {"cpp"}},
       {options.is_double_only, "--double-only", {"cpp"}},
+      {options.checks_c, "--c-selfcheck", {"c"}},
       {!options.primitives.empty(), "--primitives", {"matlab", "maxima", "javascript"}}};
   const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
   for (const Heeded& h : heeded)
@@ -227,6 +233,9 @@ Status list_outputs(const GenerateOptions& options) {
       const std::string prefix = backend::flat(options.names.enclosing, options.names.name);
       for (const std::string& file : backend::c::outputs(prefix, groups)) print_output("c/{}\n", file);
       print_output("c/{}\n", backend::casadi::output(prefix));
+      if (options.checks_c)
+        for (const std::string& file : backend::selfcheck::outputs(options.names.name, options.names.enclosing))
+          print_output("c/{}\n", file);
       continue;
     }
     const std::string folder = backend::cpp::folder(options.names.name, options.names.enclosing);

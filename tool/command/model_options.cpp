@@ -48,6 +48,11 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked) {
 
 void require_format(const std::filesystem::path& model, const FormatOptions& options) {
   const import::UrdfOptions& urdf = options.urdf;
+  if (urdf.friction_velocity > 0 && !urdf.passive_forces)
+    throw Failure{
+        wrong_usage,
+        "robcogen: error: --friction-velocity needs --passive-forces: without them, friction is not part of the "
+        "dynamics"};
   const bool for_urdf = urdf.floating_base || urdf.snap_angles || urdf.passive_forces || urdf.allow_implausible;
   if (!for_urdf && !urdf.free_mimic_joints && options.robot.empty()) return;
   const driver::Language language = driver::language_of(model);
@@ -60,8 +65,8 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
   if (language == driver::Language::mjcf && !for_urdf) return;
   throw Failure{
       wrong_usage, fmt::format(
-                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces and "
-                       "--allow-implausible are for URDF; '{}' states these properties itself",
+                       "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces, "
+                       "--friction-velocity and --allow-implausible are for URDF; '{}' states these properties itself",
                        model.string())};
 }
 

@@ -19,6 +19,8 @@ struct UrdfOptions {
   // Damping and friction of joints are part of the dynamics. If false, they are only constants of the robot, with a
   // note.
   bool passive_forces = false;
+  // The velocity (rad/s, m/s) of smooth friction: friction times qd / sqrt(qd^2 + velocity^2). Zero: the sign of qd.
+  double friction_velocity = 0;
   // Negative masses and inertias are warnings, not errors.
   bool allow_implausible = false;
 };

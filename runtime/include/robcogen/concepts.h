@@ -18,6 +18,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "robcogen/matrix.h"
 #include "robcogen/positions.h"
 #include "robcogen/results.h"
 #include "robcogen/spatial.h"
@@ -32,7 +33,7 @@ concept RobotTraits = requires {
   { R::kFloatingBase } -> std::convertible_to<bool>;
   requires(kPositionCount<R> == R::kDof + static_cast<int>(kQuaternions<R>.size()));
   requires std::floating_point<typename R::Scalar>;
-  requires std::same_as<typename R::JointState, Eigen::Matrix<typename R::Scalar, R::kDof, 1>>;
+  requires std::same_as<typename R::JointState, Matrix<typename R::Scalar, R::kDof, 1>>;
   requires R::InertiaMatrix::RowsAtCompileTime == R::kDof + (R::kFloatingBase ? 6 : 0);
   requires std::same_as<typename R::Gravity, BasicGravity<typename R::Scalar>>;
   requires std::same_as<typename R::Twist, BasicTwist<typename R::Scalar>>;
@@ -123,13 +124,13 @@ concept HasJointSpaceInertiaFactor = RobotTraits<R> && requires(
     const R& robot,
     const JointPositions<R>& q,
     const typename R::InertiaFactor& factor,
-    const Eigen::Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>& x) {
+    const Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>& x) {
   { robot.joint_space_inertia_factor(q) }
   noexcept->std::same_as<typename R::InertiaFactor>;
   { factor.L() }
   noexcept->std::same_as<const typename R::InertiaMatrix&>;
   { factor.solve(x) }
-  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>>;
+  noexcept->std::same_as<Matrix<typename R::Scalar, R::InertiaMatrix::RowsAtCompileTime, 1>>;
   { factor.inverse() }
   noexcept->std::same_as<typename R::InertiaMatrix>;
   { factor.inverse_L() }
@@ -210,16 +211,16 @@ inline constexpr int kContactRows = std::remove_cvref_t<decltype(std::declval<co
 template <class R>
 concept HasContacts = RobotTraits<R> && requires(const R& robot, const JointPositions<R>& q) {
   { robot.contact_jacobian(q) }
-  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, R::InertiaMatrix::RowsAtCompileTime>>;
+  noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, R::InertiaMatrix::RowsAtCompileTime>>;
   { robot.inverse_contact_inertia(q) }
-  noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, kContactRows<R>>>;
+  noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, kContactRows<R>>>;
 } &&
     ((FixedBase<R> &&
       requires(const R& robot, const JointPositions<R>& q, const typename R::JointState& qd) {
         { robot.contact_velocity(q, qd) }
-        noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+        noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, 1>>;
         { robot.contact_bias(q, qd) }
-        noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+        noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, 1>>;
       }) ||
      (FloatingBase<R> && requires(
                              const R& robot,
@@ -227,12 +228,12 @@ concept HasContacts = RobotTraits<R> && requires(const R& robot, const JointPosi
                              const typename R::JointState& qd,
                              const typename R::Twist& v,
                              const typename R::SpatialAcceleration& a,
-                             const Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>& rows,
+                             const Matrix<typename R::Scalar, kContactRows<R>, 1>& rows,
                              const typename R::Gravity& gravity) {
        { robot.contact_velocity(q, qd, v) }
-       noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+       noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, 1>>;
        { robot.contact_bias(q, qd, v) }
-       noexcept->std::same_as<Eigen::Matrix<typename R::Scalar, kContactRows<R>, 1>>;
+       noexcept->std::same_as<Matrix<typename R::Scalar, kContactRows<R>, 1>>;
        { robot.inverse_dynamics_with_contacts(q, qd, qd, v, a, rows, gravity) }
        noexcept->std::same_as<typename R::GeneralizedForce>;
      }));

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "robcogen/matrix.h"
 #include "robcogen/rigid_exponential.h"
 #include "robcogen/spatial.h"
 
@@ -28,9 +29,9 @@ class BasicBasePose {
   using Scalar = ScalarType;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
-  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
-  using Matrix4 = Eigen::Matrix<Scalar, 4, 4>;
-  using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+  using Matrix3 = Matrix<Scalar, 3, 3>;
+  using Matrix4 = Matrix<Scalar, 4, 4>;
+  using Matrix6 = Matrix<Scalar, 6, 6>;
   using Quaternion = Eigen::Quaternion<Scalar>;
 
   // The base frame coincides with that of the world.
@@ -166,9 +167,9 @@ BasicTwist<Scalar> difference(const BasicBasePose<Scalar>& from, const BasicBase
 // Derivatives by a pose are with respect to small changes d, which are twists in its own base coordinates: the pose
 // becomes integrate(pose, d, 1).
 template <class Scalar>
-struct IntegrateDerivatives {
-  Eigen::Matrix<Scalar, 6, 6> d_pose;
-  Eigen::Matrix<Scalar, 6, 6> d_base_velocity;
+struct ROBCOGEN_ALIGNED IntegrateDerivatives {
+  Matrix<Scalar, 6, 6> d_pose;
+  Matrix<Scalar, 6, 6> d_base_velocity;
   BasicTwist<Scalar> d_dt;
 };
 
@@ -184,9 +185,9 @@ IntegrateDerivatives<Scalar> integrate_derivatives(
 }
 
 template <class Scalar>
-struct DifferenceDerivatives {
-  Eigen::Matrix<Scalar, 6, 6> d_from;
-  Eigen::Matrix<Scalar, 6, 6> d_to;
+struct ROBCOGEN_ALIGNED DifferenceDerivatives {
+  Matrix<Scalar, 6, 6> d_from;
+  Matrix<Scalar, 6, 6> d_to;
 };
 
 // Derivatives of difference(from, to). Like it, they jump where the rotation passes half a turn.

@@ -8,6 +8,7 @@
 #include "robcogen/batch.h"
 #include "robcogen/joint_drive.h"
 #include "robcogen/joint_type.h"
+#include "robcogen/layout.h"
 #include "robcogen/limb.h"
 
 namespace robcogen::reflection {

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "robcogen/matrix.h"
+
 namespace robcogen {
 namespace exponential {
 
@@ -44,8 +46,8 @@ Stumpff<Scalar> stumpff(const Scalar& squared_angle) noexcept {
 
 // [v] with [v] u = v x u.
 template <class Scalar>
-Eigen::Matrix<Scalar, 3, 3> cross_matrix(const Eigen::Matrix<Scalar, 3, 1>& v) noexcept {
-  Eigen::Matrix<Scalar, 3, 3> result;
+Matrix<Scalar, 3, 3> cross_matrix(const Eigen::Matrix<Scalar, 3, 1>& v) noexcept {
+  Matrix<Scalar, 3, 3> result;
   result << Scalar(0), -v.z(), v.y(), v.z(), Scalar(0), -v.x(), -v.y(), v.x(), Scalar(0);
   return result;
 }
@@ -100,10 +102,10 @@ Eigen::Matrix<Scalar, 3, 1> shift_of_displacement(
 // Derivative of the displacement by the turn. The slopes of the coefficients are dc_2 / dt = t (2 c_4 - c_3) and
 // dc_3 / dt = t (3 c_5 - c_4).
 template <class Scalar>
-Eigen::Matrix<Scalar, 3, 3> displacement_by_turn(
+Matrix<Scalar, 3, 3> displacement_by_turn(
     const Eigen::Matrix<Scalar, 3, 1>& turn,
     const Eigen::Matrix<Scalar, 3, 1>& shift) noexcept {
-  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+  using Matrix3 = Matrix<Scalar, 3, 3>;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   const Stumpff<Scalar> c = stumpff<Scalar>(turn.squaredNorm());
   const Vector3 once = turn.cross(shift), twice = turn.cross(once);
@@ -116,15 +118,15 @@ Eigen::Matrix<Scalar, 3, 3> displacement_by_turn(
 // The right Jacobian Jr: small changes d of the six elements of (turn, shift) move the body, in its own coordinates
 // after the motion, by the twist Jr d (Barfoot 2017, sec. 7.1.5 has the left Jacobian, of (shift, turn)).
 template <class Scalar>
-Eigen::Matrix<Scalar, 6, 6> right_jacobian(
+Matrix<Scalar, 6, 6> right_jacobian(
     const Eigen::Matrix<Scalar, 3, 1>& turn,
     const Eigen::Matrix<Scalar, 3, 1>& shift) noexcept {
-  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+  using Matrix3 = Matrix<Scalar, 3, 3>;
   const Stumpff<Scalar> c = stumpff<Scalar>(turn.squaredNorm());
   const Matrix3 W = cross_matrix(turn), W2 = W * W;
   const Matrix3 diagonal = Matrix3::Identity() - c.c2 * W + c.c3 * W2;
   const Matrix3 turned_back = Matrix3::Identity() - c.c1 * W + c.c2 * W2;
-  Eigen::Matrix<Scalar, 6, 6> J = Eigen::Matrix<Scalar, 6, 6>::Zero();
+  Matrix<Scalar, 6, 6> J = Matrix<Scalar, 6, 6>::Zero();
   J.template topLeftCorner<3, 3>() = diagonal;
   J.template bottomRightCorner<3, 3>() = diagonal;
   J.template bottomLeftCorner<3, 3>() = turned_back * displacement_by_turn(turn, shift);
@@ -133,14 +135,14 @@ Eigen::Matrix<Scalar, 6, 6> right_jacobian(
 
 // Inverse of `right_jacobian`, by blocks; for turns below a full one.
 template <class Scalar>
-Eigen::Matrix<Scalar, 6, 6> inverse_right_jacobian(
+Matrix<Scalar, 6, 6> inverse_right_jacobian(
     const Eigen::Matrix<Scalar, 3, 1>& turn,
     const Eigen::Matrix<Scalar, 3, 1>& shift) noexcept {
-  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+  using Matrix3 = Matrix<Scalar, 3, 3>;
   const Scalar k = inverse_coefficient(stumpff<Scalar>(turn.squaredNorm()));
   const Matrix3 W = cross_matrix(turn);
   const Matrix3 diagonal = Matrix3::Identity() + W / Scalar(2) + k * (W * W);
-  Eigen::Matrix<Scalar, 6, 6> J = right_jacobian(turn, shift);
+  Matrix<Scalar, 6, 6> J = right_jacobian(turn, shift);
   const Matrix3 below = J.template bottomLeftCorner<3, 3>();
   J.template topLeftCorner<3, 3>() = diagonal;
   J.template bottomRightCorner<3, 3>() = diagonal;

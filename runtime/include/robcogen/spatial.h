@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "robcogen/layout.h"
+
 namespace robcogen {
 
 // Base of the 6D types: access, and the arithmetic of a vector space.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robcogen/matrix.h"
 #include "robcogen/reflection.h"
 
 namespace robcogen::reflection {
@@ -39,7 +40,7 @@ struct Factor {
 // left_X_right in three forms, as functions of all parameters and variables of the model.
 struct ProductOfFactors {
   template <int n>
-  using Function = Eigen::Matrix<double, n, n> (*)(const double* parameters, const double* variables) noexcept;
+  using Function = Matrix<double, n, n> (*)(const double* parameters, const double* variables) noexcept;
 
   const char* name;
   int left;  // frame indices

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "robcogen/matrix.h"
 #include "robcogen/pose.h"
 #include "robcogen/rigid_exponential.h"
 #include "robcogen/spatial.h"
@@ -20,9 +21,9 @@ namespace robcogen {
 
 // world_X_frame.
 template <class Scalar>
-Eigen::Matrix<Scalar, 4, 4> homogeneous_in_world(
+Matrix<Scalar, 4, 4> homogeneous_in_world(
     const BasicBasePose<Scalar>& pose,
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame) noexcept {
+    const typename BasicBasePose<Scalar>::Matrix4& base_X_frame) noexcept {
   return pose.homogeneous() * base_X_frame;
 }
 
@@ -40,7 +41,7 @@ template <class Scalar>
 Eigen::Matrix<Scalar, 6, 1> velocity_in_world(
     const BasicBasePose<Scalar>& pose,
     const BasicTwist<Scalar>& base_velocity,
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
+    const typename BasicBasePose<Scalar>::Matrix4& base_X_frame,
     const BasicTwist<Scalar>& base_V_frame) noexcept {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   const Vector3 origin = base_X_frame.template topRightCorner<3, 1>();
@@ -58,7 +59,7 @@ Eigen::Matrix<Scalar, 6, 1> acceleration_in_world(
     const BasicBasePose<Scalar>& pose,
     const BasicTwist<Scalar>& base_velocity,
     const BasicSpatialAcceleration<Scalar>& base_acceleration,
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
+    const typename BasicBasePose<Scalar>::Matrix4& base_X_frame,
     const BasicTwist<Scalar>& base_V_frame,
     const BasicSpatialAcceleration<Scalar>& base_A_frame) noexcept {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
@@ -80,13 +81,14 @@ Eigen::Matrix<Scalar, 6, 1> acceleration_in_world(
 // in base axes. Columns have the order of the joint-space inertia matrix; those of joints outside the chain are zero.
 // Its transpose maps a moment and a force at the origin of the frame, in base axes, to the wrench on the base and joint
 // forces.
-template <int kDof, class Scalar, int kColumns, class Columns>
-Eigen::Matrix<Scalar, 6, 6 + kDof> jacobian_with_base(
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
-    const Eigen::Matrix<Scalar, 6, kColumns>& base_J_frame,
+template <int kDof, class Jacobian, class Columns>
+Matrix<typename Jacobian::Scalar, 6, 6 + kDof> jacobian_with_base(
+    const Matrix<typename Jacobian::Scalar, 4, 4>& base_X_frame,
+    const Eigen::MatrixBase<Jacobian>& base_J_frame,
     const Columns& columns) noexcept {
+  using Scalar = typename Jacobian::Scalar;
   const Eigen::Matrix<Scalar, 3, 1> origin = base_X_frame.template topRightCorner<3, 1>();
-  Eigen::Matrix<Scalar, 6, 6 + kDof> J = Eigen::Matrix<Scalar, 6, 6 + kDof>::Zero();
+  Matrix<Scalar, 6, 6 + kDof> J = Matrix<Scalar, 6, 6 + kDof>::Zero();
   J.template leftCols<6>().setIdentity();
   J.template bottomLeftCorner<3, 3>() = -exponential::cross_matrix(origin);
   Eigen::Index column = 0;
@@ -98,17 +100,17 @@ Eigen::Matrix<Scalar, 6, 6 + kDof> jacobian_with_base(
 // of the frame (rad/s^2) and the acceleration of its origin (m/s^2) in the world. J is jacobian_with_base,
 // base_Jd_qd_frame the generated product of that name; the acceleration of the base is spatial, as forward dynamics
 // returns it, and gravity is not included.
-template <class Scalar, int kColumns, class Velocities>
+template <class Scalar, class Jacobian, class Velocities>
 Eigen::Matrix<Scalar, 6, 1> bias_acceleration_with_base(
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_frame,
-    const Eigen::Matrix<Scalar, 6, kColumns>& J,
+    const typename BasicBasePose<Scalar>::Matrix4& base_X_frame,
+    const Eigen::MatrixBase<Jacobian>& J,
     const Eigen::Matrix<Scalar, 6, 1>& base_Jd_qd_frame,
     const BasicTwist<Scalar>& base_velocity,
     const Eigen::MatrixBase<Velocities>& qd) noexcept {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
   const Vector3 origin = base_X_frame.template topRightCorner<3, 1>();
   const Vector3 w = base_velocity.angular(), v = base_velocity.linear();
-  const Eigen::Matrix<Scalar, 6, 1> relative = J.template rightCols<kColumns - 6>() * qd;
+  const Eigen::Matrix<Scalar, 6, 1> relative = J.template rightCols<Jacobian::ColsAtCompileTime - 6>() * qd;
   // Centripetal and Coriolis acceleration in the moving base (Siciliano et al., Robotics, 2009, 7.2.1).
   const Vector3 linear = relative.template tail<3>();
   Eigen::Matrix<Scalar, 6, 1> bias = base_Jd_qd_frame;
@@ -121,23 +123,29 @@ Eigen::Matrix<Scalar, 6, 1> bias_acceleration_with_base(
 // with the transpose of the rotation in base_X_frame. For Jacobians and biases of frames, and for the centroidal
 // momentum matrix and its bias. A rotated bias needs no further term, because biases are rates in an inertial frame.
 template <class Scalar, int kColumns>
-Eigen::Matrix<Scalar, 6, kColumns> rows_in_axes(
-    const Eigen::Matrix<Scalar, 3, 3>& R,
-    const Eigen::Matrix<Scalar, 6, kColumns>& J) noexcept {
-  Eigen::Matrix<Scalar, 6, kColumns> result;
+Matrix<Scalar, 6, kColumns> rows_in_axes(const Matrix<Scalar, 3, 3>& R, const Matrix<Scalar, 6, kColumns>& J) noexcept {
+  Matrix<Scalar, 6, kColumns> result;
   result.template topRows<3>() = R * J.template topRows<3>();
   result.template bottomRows<3>() = R * J.template bottomRows<3>();
   return result;
+}
+
+// The same for matrices in another storage order, and for expressions.
+template <class Rotation, class Rows>
+Matrix<typename Rows::Scalar, 6, Rows::ColsAtCompileTime> rows_in_axes(
+    const Eigen::MatrixBase<Rotation>& R,
+    const Eigen::MatrixBase<Rows>& J) noexcept {
+  return rows_in_axes<typename Rows::Scalar, Rows::ColsAtCompileTime>(R, J);
 }
 
 // A force (N) at a point (m), both in base coordinates, as the external wrench on a link: about the origin of the link
 // and in its coordinates, for the functions that take external wrenches. base_X_link is that of the link's own frame.
 template <class Scalar>
 BasicWrench<Scalar> wrench_on_link(
-    const Eigen::Matrix<Scalar, 4, 4>& base_X_link,
+    const typename BasicBasePose<Scalar>::Matrix4& base_X_link,
     const Eigen::Matrix<Scalar, 3, 1>& point,
     const Eigen::Matrix<Scalar, 3, 1>& force) noexcept {
-  const Eigen::Matrix<Scalar, 3, 3> link_R_base = base_X_link.template topLeftCorner<3, 3>().transpose();
+  const Matrix<Scalar, 3, 3> link_R_base = base_X_link.template topLeftCorner<3, 3>().transpose();
   const Eigen::Matrix<Scalar, 3, 1> arm = point - base_X_link.template topRightCorner<3, 1>();
   return BasicWrench<Scalar>(link_R_base * arm.cross(force), link_R_base * force);
 }

@@ -23,6 +23,14 @@ extern "C" {
 )";
 
 constexpr const char* kLimbTypes = R"(
+// Limbs have gaps between members, which -fpack-struct in a user's file would remove.
+typedef struct {
+  char first;
+  void *second;
+} @__gap;
+typedef char @__compile_this_file_without_fpack_struct
+    [sizeof(@__gap) == 2 * sizeof(void *) || sizeof(void *) == 2 ? 1 : -1];
+
 // A link, joint or user frame of a limb: its name in the part, and its index in the robot.
 typedef struct {
   const char *own;

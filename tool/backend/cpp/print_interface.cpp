@@ -100,7 +100,7 @@ std::string method(const Overload& overload) {
 std::string types_of_members(const Api& api) {
   const std::string size = api.library->floating_base ? "6 + kDof" : "kDof";
   std::string text =
-      "  template <int kRows, int kColumns>\n  using Matrix = Eigen::Matrix<Scalar, kRows, kColumns>;\n  using "
+      "  template <int kRows, int kColumns>\n  using Matrix = robcogen::Matrix<Scalar, kRows, kColumns>;\n  using "
       "InertiaMatrix = Matrix<" +
       size + ", " + size + ">;\n  using JointState = JointVector<Scalar>;\n";
   if (api.library->has_own_positions()) text += "  using JointPositions = PositionVector<Scalar>;\n";
@@ -224,6 +224,8 @@ std::string robot_type(const Api& api) {
   if (library.has_own_positions()) names.emplace_back("JointPositions");
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
+  types +=
+      std::string("  template <int kRows, int kColumns>\n  using Matrix = ") + kHere + "::Matrix<kRows, kColumns>;\n";
   std::string positions;
   if (library.has_own_positions()) {
     const std::string first = numbers_of(library.quaternions());
@@ -310,8 +312,9 @@ std::string factor_type(const Api& api) {
     if (const Overload other = with_sines(api, maker); other.takes_sines) constructors += constructor(other);
     std::vector<std::string> parts = {constructors, getters};
     for (const Overload& member : members(api, maker.result)) parts.push_back(method(member));
-    return comment("The result of " + c.name + ".") + "template <class Scalar>\nclass Basic" + maker.result + " {\n" +
-           types_of_members(api) + "\n public:\n" + paragraphs(parts) + "\n private:\n" + data + "};\n";
+    return comment("The result of " + c.name + ".") + "template <class Scalar>\nclass ROBCOGEN_ALIGNED Basic" +
+           maker.result + " {\n" + types_of_members(api) + "\n public:\n" + paragraphs(parts) + "\n private:\n" + data +
+           "};\n";
   }
   return "";
 }

@@ -45,7 +45,7 @@ std::string class_of(const Api& api) {
       "  // In the layout that kernels take: of the joints, then of sums of joint angles.\n"
       "  const Scalar* sin_data() const noexcept { return sin_.data(); }\n"
       "  const Scalar* cos_data() const noexcept { return cos_.data(); }\n"};
-  return "template <class Scalar>\nclass Basic" + type + " {\n public:\n" + paragraphs(parts) +
+  return "template <class Scalar>\nclass ROBCOGEN_ALIGNED Basic" + type + " {\n public:\n" + paragraphs(parts) +
          "\n private:\n  JointVector<Scalar> q_;\n  std::array<Scalar, " + size + "> sin_;\n  std::array<Scalar, " +
          size + "> cos_;\n};\n";
 }

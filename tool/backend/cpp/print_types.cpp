@@ -10,7 +10,7 @@ namespace robcogen::backend::cpp {
 namespace {
 
 std::string matrix_alias(const std::string& scalar) {
-  return "template <int kRows, int kColumns>\nusing Matrix = Eigen::Matrix<" + scalar + ", kRows, kColumns>;\n";
+  return "template <int kRows, int kColumns>\nusing Matrix = robcogen::Matrix<" + scalar + ", kRows, kColumns>;\n";
 }
 
 std::string parameters_struct(const Api& api, const std::string& scalar) {
@@ -41,7 +41,7 @@ std::string aliases(const Api& api, const std::string& scalar) {
   std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
                        "using JointState = JointVector<" + scalar + ">;\n" +
                        (library.has_own_positions() ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
-                       "using InertiaMatrix = Eigen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
+                       "using InertiaMatrix = robcogen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
                        "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
     result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
@@ -79,7 +79,7 @@ std::string member_type(const Api& api, const symbolic::OutputArray& output) {
     if (type == of_runtime) return "robcogen::Basic" + type + "<Scalar>";
   if (type == "Scalar") return type;
   if (type == "JointState" && output.rows == static_cast<int>(api.joints.size())) return "JointVector<Scalar>";
-  return "Eigen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
+  return "robcogen::Matrix<Scalar, " + std::to_string(output.rows) + ", " + std::to_string(output.columns) + ">";
 }
 
 // The structures that functions with several results return.
@@ -90,8 +90,8 @@ std::string structures(const Api& api) {
     for (const symbolic::OutputArray& output : c->function->program.outputs)
       members += "  " + member_type(api, output) + " " + output.name + ";\n";
     texts.push_back(
-        comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct Basic" + c->result + " {\n" +
-        members + "};\n");
+        comment("The results of " + c->name + ".") + "template <class Scalar>\nstruct ROBCOGEN_ALIGNED Basic" +
+        c->result + " {\n" + members + "};\n");
   }
   return paragraphs(texts);
 }
@@ -111,10 +111,11 @@ std::string print_types(const Api& api, const std::string& path) {
         {structures(api), transform_types(api, "double"), in_single_precision(library, transform_types(api, "float"))});
     return paragraphs(
         {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
-         library.parameters.empty() ? "" : includes({"<limits>"}),
+         library.parameters.empty() ? "" : includes({"<limits>"}), includes({"\"robcogen/matrix.h\""}),
          includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
   }
   std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\""};
+  runtime.push_back("\"robcogen/matrix.h\"");
   if (takes_pose(api)) runtime.push_back("\"robcogen/pose.h\"");
   runtime.push_back("\"robcogen/spatial.h\"");
   if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
@@ -128,7 +129,7 @@ std::string print_types(const Api& api, const std::string& path) {
   };
   const std::string body = paragraphs(
       {"// One value per joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
-       "Eigen::Matrix<Scalar, kDof, 1>;\n",
+       "robcogen::Matrix<Scalar, kDof, 1>;\n",
        library.has_own_positions()
            ? comment(
                  "Positions, in the order of Position." +
@@ -138,7 +139,7 @@ std::string print_types(const Api& api, const std::string& path) {
                            "and robcogen/positions.h normalises quaternions."
                          : "") +
                  (library.followers.empty() ? "" : " The last ones follow through loops: close_loops computes them.")) +
-                 "template <class Scalar>\nusing PositionVector = Eigen::Matrix<Scalar, kPositions, 1>;\n"
+                 "template <class Scalar>\nusing PositionVector = robcogen::Matrix<Scalar, kPositions, 1>;\n"
            : "",
        trigonometry, factor, structures(api), both("double"), in_single_precision(library, both("float"))});
   return paragraphs(

@@ -100,6 +100,9 @@ std::optional<model::KinematicTree> urdf(
   if (failed()) return std::nullopt;
   description.uses_passive_forces = options.passive_forces;
   note_armature(document, diagnostics);
+  if (options.friction_velocity > 0)
+    for (model::DescribedJoint& joint : description.joints)
+      if (!joint.drive.friction.is_zero()) joint.drive.friction_velocity = model::Quantity(options.friction_velocity);
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
   return build_tree(description, diagnostics);

@@ -10,7 +10,9 @@ const robot = makeRobot(generated, data);
 const state = makeState(robot, data.q, data.parameters);
 const options = {
   selected: -1,
-  show: { frames: true, names: robot.joints.length <= 14, axes: true, masses: true, inertia: false, links: false },
+  show: {
+    names: robot.joints.length <= 14, frames: true, fixed: false, axes: true, masses: true, inertia: false, links: false,
+  },
 };
 let posture = postureOf(robot, state);
 let sizes = sizesOf(robot, posture);
@@ -116,7 +118,8 @@ byId("view").addEventListener("click", () => {
 });
 const toggles = {
   names: "names",
-  frames: "frames",
+  frames: "frames of joints",
+  fixed: "other frames",
   links: "link frames",
   axes: "axes",
   masses: "centres of mass",

@@ -24,15 +24,20 @@ const three = (v) => v.map((x) => digits(Math.abs(x) < 1e-12 ? 0 : x)).join(", "
 const unitOf = (joint) => (joint.type === "prismatic" ? "m" : "rad");
 const forceUnit = (joint) => (joint.type === "prismatic" ? "N" : "N m");
 
+// A name that a narrow panel breaks behind underscores.
+function breakable(name) {
+  return name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [element("wbr"), part] : [part]));
+}
+
 export function makeOutline(robot, container, select) {
   const { links } = robot.model, buttons = [];
   const item = (l) => {
     const joint = robot.joints[links[l].parent_joint];
     const warned = robot.data.warnings.some((w) => w.link === l);
     const title = joint ? `${links[l].name}, moved by ${nameOf(joint)}` : links[l].name;
-    const name = element("span", {}, links[l].name);
+    const name = element("span", {}, ...breakable(links[l].name));
     const button = element("button", { type: "button", role: "treeitem", "aria-selected": "false", title }, name);
-    if (joint) button.append(element("small", {}, nameOf(joint)));
+    if (joint) button.append(element("small", {}, ...breakable(nameOf(joint))));
     if (warned) button.append(element("span", { className: "mark", title: "has warnings" }, "⚠"));
     button.addEventListener("click", () => select(l));
     buttons[l] = button;

@@ -21,6 +21,15 @@ export function sizesOf(robot, posture) {
   return { centre, around, bar, ground: Math.min(0, low[2]) };
 }
 
+// Whether a user's frame is where the joint of its link is, as those of URDF's links are.
+export function isOfJoint(robot, posture, f) {
+  const { link } = robot.data.frames[f];
+  return link > 0 && length(subtract(origin(posture.poses[f]), origin(posture.poses[link]))) < 1e-9;
+}
+
+const isShown = (robot, posture, f, show) =>
+  robot.data.frames[f].kind === "user" && (isOfJoint(robot, posture, f) ? show.frames : show.fixed);
+
 // The ends of bars: a link reaches from its origin to the joints that it carries; a link that carries none reaches to
 // its frames, or otherwise to its centre of mass.
 function barsOf(robot, posture) {
@@ -58,6 +67,42 @@ function paintBar(context, view, { from, to }, width, colours) {
   const across = Math.hypot(b.x - a.x, b.y - a.y) || 1;
   const side = (0.2 * pixels) / across, up = b.x >= a.x ? 1 : -1;
   line(colours.light, 0.3 * pixels, up * side * (b.y - a.y), -up * side * (b.x - a.x));
+}
+
+// A link that carries several joints, such as a torso, is their convex hull together with its own origin. Its outline is that
+// of the points on the canvas.
+function paintBody(context, view, points, width, colours) {
+  const seen = points.map(view.see), near = seen.reduce((sum, p) => sum + p.near, 0) / seen.length;
+  const pixels = Math.max(2, width * view.scaleAt(near));
+  context.lineJoin = "round";
+  const shape = (colour, size) => {
+    context.strokeStyle = context.fillStyle = colour;
+    context.lineWidth = size;
+    context.beginPath();
+    for (const p of hull(seen)) context.lineTo(p.x, p.y);
+    context.closePath();
+    context.stroke();
+    context.fill();
+  };
+  shape(colours.edge, pixels + 1.6);
+  shape(colours.main, pixels);
+  shape(colours.light, 0.3 * pixels);
+  shape(colours.main, 0.3 * pixels - 2);
+}
+
+// The convex hull of points of the plane, around (Andrew 1979).
+function hull(points) {
+  const sorted = [...points].sort((a, b) => a.x - b.x || a.y - b.y);
+  const turn = (a, b, c) => (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const half = (list) => {
+    const chain = [];
+    for (const p of list) {
+      while (chain.length > 1 && turn(chain.at(-2), chain.at(-1), p) <= 0) chain.pop();
+      chain.push(p);
+    }
+    return chain.slice(0, -1);
+  };
+  return [...half(sorted), ...half(sorted.reverse())];
 }
 
 // A cylinder about a unit vector.
@@ -226,15 +271,17 @@ function paintBase(context, view, pose, size, ground, theme) {
   context.stroke();
 }
 
-// Paints names near their points if there is room; where points are crowded, only the first names.
+// Paints names near their points if there is room; where points are crowded, only the first names. The name of a frame gives
+// way to other names at its point.
 function paintNames(context, view, names, size, theme) {
-  const taken = [], known = new Set();
+  const taken = [], places = [], known = new Set();
   context.font = "12px system-ui, sans-serif";
   context.lineJoin = "round";
-  for (const { at, text, strong } of names) {
+  for (const { at, text, strong, isFrame } of names) {
     if (known.has(text)) continue;
     known.add(text);
     const { x, y } = view.see(at);
+    if (isFrame && places.some((p) => Math.hypot(p.x - x, p.y - y) < 8)) continue;
     const width = context.measureText(text).width;
     const left = -9 - width, middle = -width / 2;
     for (const [dx, dy] of [[9, -5], [9, 15], [left, -5], [left, 15], [middle, -16], [middle, 26]]) {
@@ -243,6 +290,7 @@ function paintNames(context, view, names, size, theme) {
       const meets = (o) => box.left < o.right && o.left < box.right && box.top < o.bottom && o.top < box.bottom;
       if (outside || taken.some(meets)) continue;
       taken.push(box);
+      places.push({ x, y });
       context.strokeStyle = theme.paper;
       context.lineWidth = 3;
       context.strokeText(text, x + dx, y + dy);
@@ -262,9 +310,10 @@ function namesOf(robot, posture, { show, selected }) {
   }
   if (!show.names) return names;
   if (selected !== 0) names.push(linkName(0));
-  const frames = robot.data.frames.map((frame, f) => ({ frame, at: origin(posture.poses[f]) }));
-  if (show.frames) for (const { frame, at } of frames) if (frame.kind === "user") names.push({ at, text: frame.name });
   robot.joints.forEach((joint) => names.push({ at: origin(posture.poses[joint.child]), text: nameOf(joint) }));
+  robot.data.frames.forEach((frame, f) => {
+    if (isShown(robot, posture, f, show)) names.push({ at: origin(posture.poses[f]), text: frame.name, isFrame: true });
+  });
   return names;
 }
 
@@ -278,10 +327,16 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
   put(origin(posture.poses[0]), -0.02, () =>
     paintBase(context, view, posture.poses[0], 0.13 * sizes.around, sizes.ground, theme));
   const bars = barsOf(robot, posture);
-  for (const bar of bars) {
-    const colours = family(theme, bar.link === selected ? "chosen" : "bar");
-    put(scale(0.5, add(bar.from, bar.to)), 0, () => paintBar(context, view, bar, sizes.bar, colours));
-  }
+  robot.model.links.forEach((_, l) => {
+    const own = bars.filter((bar) => bar.link === l), colours = family(theme, l === selected ? "chosen" : "bar");
+    if (own.length > 1) {
+      const points = [own[0].from, ...own.map(({ to }) => to)];
+      const middle = scale(1 / points.length, points.reduce(add));
+      put(middle, 0, () => paintBody(context, view, points, sizes.bar, colours));
+    }
+    if (own.length === 1)
+      put(scale(0.5, add(own[0].from, own[0].to)), 0, () => paintBar(context, view, own[0], sizes.bar, colours));
+  });
   robot.joints.forEach((joint, j) => {
     if (isFollower(robot.joints, j)) return;
     if (joint.type === "spherical") {
@@ -316,9 +371,8 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
   robot.data.frames.forEach((frame, f) => {
     const pose = posture.poses[f], isBase = frame.kind === "link" && frame.index === 0;
     const isOfLink = frame.kind === "link" && (show.links || frame.index === selected);
-    const isShown = isOfLink || (frame.kind === "user" && show.frames);
     const [size, width] = isBase ? [0.26, 2.4] : [0.11, 1.8];
-    if (isBase || isShown)
+    if (isBase || isOfLink || isShown(robot, posture, f, show))
       put(origin(pose), 0.03, () => paintTriad(context, view, pose, size * sizes.around, width, theme));
   });
   posture.masses.forEach((mass, l) => {

@@ -7,15 +7,15 @@
 
 namespace robcogen {
 
-inline Eigen::Matrix4d AnyRobot::homogeneous_transform(int transform, In q) const {
+inline Matrix<double, 4, 4> AnyRobot::homogeneous_transform(int transform, In q) const {
   return of_kernel<4>("homogeneous_transform", transform, q, [](const auto& t) { return t.homogeneous; });
 }
 
-inline Eigen::Matrix<double, 6, 6> AnyRobot::motion_transform(int transform, In q) const {
+inline Matrix<double, 6, 6> AnyRobot::motion_transform(int transform, In q) const {
   return of_kernel<6>("motion_transform", transform, q, [](const auto& t) { return t.motion; });
 }
 
-inline Eigen::Matrix<double, 6, 6> AnyRobot::force_transform(int transform, In q) const {
+inline Matrix<double, 6, 6> AnyRobot::force_transform(int transform, In q) const {
   return of_kernel<6>("force_transform", transform, q, [](const auto& t) { return t.force; });
 }
 

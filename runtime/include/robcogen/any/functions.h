@@ -7,6 +7,7 @@
 
 #include "robcogen/concepts.h"
 #include "robcogen/joint_limits.h"
+#include "robcogen/matrix.h"
 
 namespace robcogen::any {
 
@@ -35,7 +36,7 @@ class Functions {
   virtual void bias_forces(const double* q, const double* v, double* f, const Loads& loads) const noexcept = 0;
   virtual void gravity_forces(const double* q, double* f, const Gravity& gravity) const noexcept = 0;
   virtual void coriolis_forces(const double* q, const double* v, double* f) const noexcept = 0;
-  virtual void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept = 0;
+  virtual void joint_space_inertia(const double* q, Eigen::Ref<DynamicMatrix<double>> H) const noexcept = 0;
   // The first input of kernels of a robot with parameters; otherwise null.
   virtual const double* cache() const noexcept = 0;
   virtual const JointLimits* joint_limits() const noexcept = 0;
@@ -106,7 +107,7 @@ class FunctionsOf final : public Functions {
       set_forces(f, robot_.coriolis_forces(positions(q), joints(v)));
     }
   }
-  void joint_space_inertia(const double* q, Eigen::Ref<Eigen::MatrixXd> H) const noexcept override {
+  void joint_space_inertia(const double* q, Eigen::Ref<DynamicMatrix<double>> H) const noexcept override {
     H = robot_.joint_space_inertia(positions(q));
   }
   const JointLimits* joint_limits() const noexcept override { return R::kJointLimits.data(); }

@@ -4,6 +4,7 @@
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <span>
@@ -11,15 +12,20 @@
 #include <string_view>
 
 #include "robcogen/any/functions.h"
+#include "robcogen/matrix.h"
 #include "robcogen/reflection.h"
 
 namespace robcogen {
+
+// Matrices that Eigen stores by rows, as it does by default with EIGEN_DEFAULT_TO_ROW_MAJOR.
+template <class M>
+concept StoredByRows = bool(M::IsRowMajor) && !bool(M::IsVectorAtCompileTime);
 
 class AnyRobot {
  public:
   using In = const Eigen::Ref<const Eigen::VectorXd>&;
   using Out = Eigen::Ref<Eigen::VectorXd>;
-  using OutMatrix = Eigen::Ref<Eigen::MatrixXd>;
+  using OutMatrix = Eigen::Ref<DynamicMatrix<double>>;
   // One wrench for each link, in link coordinates about the origin of the link; or none at all.
   using External = std::span<const Wrench>;
 
@@ -76,6 +82,10 @@ class AnyRobot {
 
   // size() x size(), symmetric, base first.
   void joint_space_inertia(In q, OutMatrix H) const;
+  template <StoredByRows Rows>
+  void joint_space_inertia(In q, const Eigen::MatrixBase<Rows>& H) const {
+    joint_space_inertia(q, const_cast<Eigen::MatrixBase<Rows>&>(H).transpose());
+  }
 
   // One for each joint. Drives are in tables().joints[joint].drive.
   std::span<const JointLimits> joint_limits() const noexcept {
@@ -87,13 +97,17 @@ class AnyRobot {
   int find_jacobian(std::string_view jacobian) const noexcept { return find(tables_->jacobians, jacobian); }
 
   // Transforms by index: homogeneous (4 x 4), and of motion and force vectors (6 x 6, angular first).
-  Eigen::Matrix4d homogeneous_transform(int transform, In q) const;
-  Eigen::Matrix<double, 6, 6> motion_transform(int transform, In q) const;
-  Eigen::Matrix<double, 6, 6> force_transform(int transform, In q) const;
+  Matrix<double, 4, 4> homogeneous_transform(int transform, In q) const;
+  Matrix<double, 6, 6> motion_transform(int transform, In q) const;
+  Matrix<double, 6, 6> force_transform(int transform, In q) const;
 
   // Jacobian by index: 6 rows, angular first, and one column for each joint of the chain, which
   // tables().jacobians[jacobian] lists.
   void jacobian(int jacobian, In q, OutMatrix J) const;
+  template <StoredByRows Rows>
+  void jacobian(int, In, const Eigen::MatrixBase<Rows>&) const {
+    refuse_rows<Rows>();
+  }
 
   // Index of an actuator of tables().actuators by its name; -1 when there is none.
   int find_actuator(std::string_view actuator) const noexcept { return find(tables_->actuators, actuator); }
@@ -104,12 +118,21 @@ class AnyRobot {
 
   // Lever arms: one row per actuator, one column per joint. J^T times the actuator forces gives the joint forces.
   void actuator_jacobian(In q, OutMatrix J) const;
+  template <StoredByRows Rows>
+  void actuator_jacobian(In, const Eigen::MatrixBase<Rows>&) const {
+    refuse_rows<Rows>();
+  }
 
  private:
+  template <class Rows>
+  static void refuse_rows() {
+    static_assert(!StoredByRows<Rows>, "J must be stored by columns: declare it as robcogen::DynamicMatrix<double>");
+  }
   [[noreturn]] void refuse(const char* function, const char* what, Eigen::Index is, int must_be) const {
     char message[200];
     std::snprintf(
-        message, sizeof message, "%s of %s: %s has %td elements and must have %d", function, name(), what, is, must_be);
+        message, sizeof message, "%s of %s: %s has %td elements and must have %d", function, name(), what,
+        static_cast<std::ptrdiff_t>(is), must_be);
     throw std::invalid_argument(message);
   }
   void expect(const char* function, const char* what, Eigen::Index is, int must_be) const {
@@ -151,10 +174,10 @@ class AnyRobot {
   }
 
   template <int n, class Kernel>
-  Eigen::Matrix<double, n, n> of_kernel(const char* function, int index, In q, const Kernel& kernel) const {
+  Matrix<double, n, n> of_kernel(const char* function, int index, In q, const Kernel& kernel) const {
     expect_index(function, index, tables_->transforms.size);
     expect(function, "q", q.size(), position_count());
-    Eigen::Matrix<double, n, n> X;
+    Matrix<double, n, n> X;
     kernel(tables_->transforms[index])(functions_->cache(), q.data(), X.data());
     return X;
   }

@@ -9,7 +9,7 @@ namespace robcogen {
 
 // A point of a trajectory.
 template <RobotTraits R>
-struct Setpoint {
+struct ROBCOGEN_ALIGNED Setpoint {
   JointPositions<R> q = neutral_positions<R>();
   typename R::JointState qd = R::JointState::Zero();
   typename R::JointState qdd = R::JointState::Zero();
@@ -17,7 +17,7 @@ struct Setpoint {
 
 // Gains of each joint: acceleration per position error (1/s^2) and per velocity error (1/s).
 template <RobotTraits R>
-struct Gains {
+struct ROBCOGEN_ALIGNED Gains {
   typename R::JointState stiffness;
   typename R::JointState damping;
 };

@@ -19,6 +19,8 @@
 #include <Eigen/Geometry>
 #include <concepts>
 
+#include "robcogen/matrix.h"
+
 namespace robcogen {
 
 // A chain from a frame A to a frame B: pose(q) is A_X_B (4 x 4), and jacobian(q) is A_J_B (6 rows), with one column for
@@ -33,10 +35,8 @@ concept KinematicChain = requires(const C& chain, const typename C::JointState& 
 // The motion from one pose to another: the axis times the angle of the rotation (rad), at most half a turn, then the
 // displacement of the origin (m). It is in coordinates of the frame in which both poses are given.
 template <class Scalar>
-Eigen::Matrix<Scalar, 6, 1> pose_error(
-    const Eigen::Matrix<Scalar, 4, 4>& from,
-    const Eigen::Matrix<Scalar, 4, 4>& to) noexcept {
-  using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+Eigen::Matrix<Scalar, 6, 1> pose_error(const Matrix<Scalar, 4, 4>& from, const Matrix<Scalar, 4, 4>& to) noexcept {
+  using Matrix3 = Matrix<Scalar, 3, 3>;
   const Matrix3 turn = to.template topLeftCorner<3, 3>() * from.template topLeftCorner<3, 3>().transpose();
   const Eigen::AngleAxis<Scalar> rotation(turn);
   Eigen::Matrix<Scalar, 6, 1> error;
@@ -53,10 +53,10 @@ template <KinematicChain C>
 typename C::JointState inverse_kinematics_step(
     const C& chain,
     const typename C::JointState& q,
-    const Eigen::Matrix<typename C::JointState::Scalar, 4, 4>& target,
+    const Matrix<typename C::JointState::Scalar, 4, 4>& target,
     typename C::JointState::Scalar damping) noexcept {
   using Scalar = typename C::JointState::Scalar;
-  using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+  using Matrix6 = Matrix<Scalar, 6, 6>;
   const Eigen::Matrix<Scalar, 6, 1> error = pose_error<Scalar>(chain.pose(q), target);
   const auto J = chain.jacobian(q);
   const Matrix6 damped = J * J.transpose() + (damping + error.squaredNorm() / 2) * Matrix6::Identity();

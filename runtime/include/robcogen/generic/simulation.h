@@ -23,7 +23,7 @@ namespace simulation {
 template <RobotTraits R>
 inline constexpr int kBaseRate = kPositionCount<R> + R::kDof;
 template <RobotTraits R>
-using Rate = Eigen::Matrix<typename R::Scalar, kBaseRate<R> + (R::kFloatingBase ? 13 : 0), 1>;
+using Rate = Matrix<typename R::Scalar, kBaseRate<R> + (R::kFloatingBase ? 13 : 0), 1>;
 
 template <FixedBase R>
 Rate<R> rate(const State<R>& state, const typename R::JointState& qdd) noexcept {

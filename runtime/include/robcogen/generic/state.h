@@ -5,6 +5,7 @@
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
 #include "robcogen/concepts.h"
+#include "robcogen/matrix.h"
 #include "robcogen/pose.h"
 #include "robcogen/positions.h"
 
@@ -12,7 +13,7 @@ namespace robcogen {
 
 // Joint positions (rad, m) and velocities (rad/s, m/s).
 template <RobotTraits R>
-struct State {
+struct ROBCOGEN_ALIGNED State {
   JointPositions<R> q = neutral_positions<R>();
   typename R::JointState qd = R::JointState::Zero();
 };

@@ -71,10 +71,12 @@ inline MultipliedOut multiplied_out(const reflection::ProductOfFactors& transfor
   return expected;
 }
 
-template <int n>
-Matrix<double> copy_of(const Eigen::Matrix<double, n, n>& m) {
-  Matrix<double> result(n, n);
-  std::copy(m.data(), m.data() + n * n, result.data());
+// Reads elements by their indices, as a user does, so that a wrong storage order is found.
+template <class EigenMatrix>
+Matrix<double> copy_of(const EigenMatrix& m) {
+  Matrix<double> result(static_cast<int>(m.rows()), static_cast<int>(m.cols()));
+  for (int i = 0; i < result.rows(); ++i)
+    for (int j = 0; j < result.cols(); ++j) result(i, j) = m(i, j);
   return result;
 }
 

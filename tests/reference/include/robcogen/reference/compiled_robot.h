@@ -309,18 +309,20 @@ class CompiledRobot {
   // `index` refers to the tables.
   TransformForms transform(int index, const Vector<double>& q) const {
     const reflection::Transform& kernels = tables_->transforms[index];
-    TransformForms forms;
-    kernels.homogeneous(cache_of(robot_), q.data(), forms.homogeneous.data());
-    kernels.motion(cache_of(robot_), q.data(), forms.motion.data());
-    kernels.force(cache_of(robot_), q.data(), forms.force.data());
-    return forms;
+    // As the library's own functions do: the kernels write the matrices that they return.
+    typename R::template Matrix<4, 4> homogeneous;
+    typename R::template Matrix<6, 6> motion, force;
+    kernels.homogeneous(cache_of(robot_), q.data(), homogeneous.data());
+    kernels.motion(cache_of(robot_), q.data(), motion.data());
+    kernels.force(cache_of(robot_), q.data(), force.data());
+    return {matrix(homogeneous), matrix(motion), matrix(force)};
   }
 
   Matrix<double> jacobian(int index, const Vector<double>& q) const {
     const reflection::Jacobian& what = tables_->jacobians[index];
-    Matrix<double> J(6, what.column_count);
+    typename R::template Matrix<6, Eigen::Dynamic> J(6, what.column_count);
     what.kernel(cache_of(robot_), q.data(), J.data());
-    return J;
+    return matrix(J);
   }
 
   // 6 x FrameFunction::column_count.
@@ -329,9 +331,9 @@ class CompiledRobot {
     std::vector<double> inputs;
     if constexpr (kIsParametric<R>) inputs.assign(cache_of(robot_), cache_of(robot_) + R::Parameters::size());
     for (const Vector<double>* v : {&m.q, &m.qd, &m.qdd}) inputs.insert(inputs.end(), v->data(), v->data() + v->rows());
-    Matrix<double> result(6, f.column_count);
+    typename R::template Matrix<6, Eigen::Dynamic> result(6, f.column_count);
     f.call(inputs.data(), result.data());
-    return result;
+    return matrix(result);
   }
 
  private:
@@ -366,17 +368,19 @@ class CompiledRobot {
     for (std::size_t i = 0; i < from.size(); ++i) to[static_cast<Link>(i)] = spatial<BasicWrench<Scalar>>(from[i]);
   }
 
+  // Elements are read by their indices, as a user reads them, so that a wrong storage order is found.
   template <class EigenVector>
   static Vector<double> vector(const EigenVector& v) {
     Vector<double> result(static_cast<int>(v.size()));
-    std::copy(v.data(), v.data() + v.size(), result.data());
+    for (int i = 0; i < result.rows(); ++i) result(i) = static_cast<double>(v(i));
     return result;
   }
 
   template <class EigenMatrix>
   static Matrix<double> matrix(const EigenMatrix& m) {
     Matrix<double> result(static_cast<int>(m.rows()), static_cast<int>(m.cols()));
-    std::copy(m.data(), m.data() + m.size(), result.data());
+    for (int i = 0; i < result.rows(); ++i)
+      for (int j = 0; j < result.cols(); ++j) result(i, j) = static_cast<double>(m(i, j));
     return result;
   }
 
