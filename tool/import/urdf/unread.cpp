@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kNotRead = "mechanics-not-read";
 
-bool contains(const Names& names, const std::string& name) {
+bool is_one_of(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -41,12 +41,12 @@ bool is_true(const std::string& text) {
 // Mass properties that belong to the link.
 void find_in_shape(const Element& element, const std::string& owner, std::vector<Unread>& found) {
   for (const Element& child : element.children) {
-    const bool is_mechanical = contains({"inertial", "mass", "inertia", "dynamics", "joint", "link"}, child.name);
+    const bool is_mechanical = is_one_of({"inertial", "mass", "inertia", "dynamics", "joint", "link"}, child.name);
     if (!is_mechanical) {
       find_in_shape(child, owner, found);
       continue;
     }
-    const bool is_inertial = contains({"inertial", "mass", "inertia"}, child.name);
+    const bool is_inertial = is_one_of({"inertial", "mass", "inertia"}, child.name);
     add({child.span, kNotRead, fmt::format("element '{}' of this '{}' is not read", child.name, owner),
          is_inertial ? "mass properties belong in 'inertial' of 'link'" : "it belongs elsewhere", 0},
         found);
@@ -78,7 +78,7 @@ void find_in_mujoco(const Element& mujoco, std::vector<Unread>& found) {
   for (const Element& child : mujoco.children) {
     if (child.name != "compiler") continue;
     for (const Attribute& a : child.attributes) {
-      const bool changes_masses = contains({"boundmass", "boundinertia", "settotalmass"}, a.name) && !is_zero(a.value);
+      const bool changes_masses = is_one_of({"boundmass", "boundinertia", "settotalmass"}, a.name) && !is_zero(a.value);
       const bool is_set = a.name == "inertiafromgeom" && a.value == "true";
       if (changes_masses || is_set)
         add({a.span, kNotRead, fmt::format("attribute '{}' of this 'compiler' is not read", a.name),
