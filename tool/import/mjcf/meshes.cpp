@@ -131,7 +131,7 @@ std::optional<TriangleMesh> Meshes::read_triangles(const Element& mesh) {
         "unreadable-mesh", file->place, fmt::format("file '{}' of this mesh cannot be read", path.string()));
     return std::nullopt;
   }
-  read_.push_back(path);
+  if (std::find(read_.begin(), read_.end(), path) == read_.end()) read_.push_back(path);
   const std::string extension = extension_of(path);
   std::optional<TriangleMesh> result;
   if (extension == ".stl") {
@@ -151,13 +151,17 @@ std::optional<TriangleMesh> Meshes::read_inline(const Element& mesh, const Attri
   constexpr std::size_t kMost = 1000000;
   Values values(diagnostics_);
   TriangleMesh result;
-  const std::vector<Number> v = values.numbers(vertices, 0, kMost);
+  const std::optional<std::vector<Number>> given = values.read(vertices, 0, kMost);
+  if (!given) return std::nullopt;
+  const std::vector<Number>& v = *given;
   for (std::size_t i = 0; i + 2 < v.size(); i += 3)
     result.vertices.push_back(
         {static_cast<float>(v[i].value()), static_cast<float>(v[i + 1].value()), static_cast<float>(v[i + 2].value())});
   const Attribute* faces = from_mjcf::find(mesh, "face");
   if (faces == nullptr) return result;
-  const std::vector<Number> f = values.numbers(*faces, 0, kMost);
+  const std::optional<std::vector<Number>> indices = values.read(*faces, 0, kMost);
+  if (!indices) return std::nullopt;
+  const std::vector<Number>& f = *indices;
   for (std::size_t i = 0; i + 2 < f.size(); i += 3) {
     std::array<std::uint32_t, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "import/magnitudes.h"
+
 namespace robcogen::import::from_mjcf {
 
 namespace {
@@ -119,6 +121,8 @@ std::optional<Solid> solid_of(
     solid.yz -= part * mean_product(t, 1, 2, kind);
   }
   solid.xx = yy + zz, solid.yy = xx + zz, solid.zz = xx + yy;
+  if (std::max(solid.volume, std::max({solid.xx, solid.yy, solid.zz})) >= kTooLarge)
+    return fault = "its numbers are too large", std::nullopt;
   return solid;
 }
 
