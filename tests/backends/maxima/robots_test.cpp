@@ -165,7 +165,7 @@ TEST_F(MaximaRobot, LeavesNoTraceAndTakesNoNotice) {
 
 TEST_F(MaximaRobot, NamesNoVariableOfTheSystem) {
   std::set<std::string> names;
-  for (const char* robot : {"hyl", "puma560", "centaur"}) {
+  for (const std::string& robot : kRobots) {
     const std::string text = maxima_text(library_of(document(robot), robot)).text;
     const std::regex definition("\n  (\\w+): |[(] ?(\\w+)(?:, (\\w+))*[)] := ");
     for (std::sregex_iterator it(text.begin(), text.end(), definition), end; it != end; ++it)
