@@ -121,6 +121,8 @@ function(_robcogen_add_c_checks)
       add_dependencies(${of_c}_${check} ${library_TARGET}_codegen)
       target_compile_features(${of_c}_${check} PRIVATE cxx_std_17)
       target_include_directories(${of_c}_${check} PRIVATE ${library_OUTPUT_DIR}/c/selfcheck)
+      # The C++ headers of these programs have no library in C++ whose model they could refer to.
+      target_compile_options(${of_c}_${check} PRIVATE -UROBCOGEN_REFERS_TO_MODEL)
       _robcogen_link_harness(${of_c}_${check} robcogen::${check}_harness ${of_c})
     endforeach()
     _robcogen_add_checks(checks)
