@@ -77,6 +77,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
       codes.merge(test::matches(text, reported));
     }
   }
+  codes.erase("unmatched-frame");  // of a pattern in an option, which robcogen_driver_test gives
   test::expect_documents(codes, folder(), extensions());
 }
 

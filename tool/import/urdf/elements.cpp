@@ -28,7 +28,7 @@ constexpr Row kRows[] = {
     {"mass", "value", "", "", ""},
     // The second triangle of the symmetric tensor says nothing new.
     {"inertia", "ixx iyy izz ixy ixz iyz", "", "iyx izx izy", ""},
-    {"joint", "name type", "independent", "dont_collapse",
+    {"joint", "name type", "independent assembled", "dont_collapse",
      "actuator calibration controller_gains drake:controller_gains hardwareInterface material physics "
      "safety_controller sensor traits verbose"},
     {"origin", "", "xyz rpy quat_xyzw", "", ""},
