@@ -123,7 +123,12 @@ TEST_P(AssembledLoops, AreRefusedWithoutAPosition) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>("flat.kindsl", flat(GetParam()));
   EXPECT_FALSE(import::kinematic_tree(language::kinematics::parse(source, diagnostics), diagnostics));
-  EXPECT_NE(diagnostics.render().find("or give joints a position"), std::string::npos) << diagnostics.render();
+  // The message says where a loop that is drawn stretched could close, or only that joints can be given a position.
+  const std::string message = diagnostics.render();
+  EXPECT_TRUE(
+      message.find("hint: write 'assembled = ") != std::string::npos ||
+      message.find("or give joints a position") != std::string::npos)
+      << message;
 }
 
 TEST_P(AssembledLoops, AgreeWithTheReference) {
