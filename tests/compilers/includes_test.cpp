@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"algorithm",
      "std::adjacent_find std::all_of std::any_of std::binary_search std::clamp std::copy std::copy_if std::count "
-     "std::count_if std::equal std::find std::find_if std::find_if_not std::for_each std::is_sorted std::lower_bound "
+     "std::count_if std::equal std::find std::find_first_of std::find_if std::find_if_not std::for_each std::is_sorted "
+     "std::lower_bound "
      "std::max std::max_element std::min std::min_element std::minmax std::mismatch std::none_of std::nth_element "
      "std::remove_if std::replace std::reverse std::rotate std::search std::set_symmetric_difference std::sort "
      "std::stable_partition std::stable_sort std::transform std::unique std::upper_bound"},
@@ -31,16 +32,18 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"atomic", "std::atomic"},
     {"bit", "std::bit_cast std::bit_width std::countr_zero std::has_single_bit"},
     {"cassert", "assert"},
-    {"cctype", "std::isalnum std::isalpha std::isprint std::tolower std::toupper"},
+    {"cctype", "std::isalnum std::isalpha std::isprint std::isspace std::tolower std::toupper"},
     {"cerrno", "errno"},
     {"charconv", "std::chars_format std::from_chars std::to_chars"},
     {"cmath",
      "std::abs std::acos std::asin std::atan2 std::ceil std::copysign std::cos std::floor std::fmax std::fmin "
      "std::fmod "
-     "std::hypot std::isfinite std::isinf std::isnan std::ldexp std::llround std::lround std::pow std::remainder "
+     "std::hypot std::isfinite std::isinf std::isnan std::ldexp std::llround std::log10 std::lround std::pow "
+     "std::remainder "
      "std::round std::sin std::sqrt std::tan"},
     {"csignal", "std::signal"},
     {"cstddef", "std::ptrdiff_t"},
+    {"cstring", "std::memcpy"},
     {"cstdint", "std::int64_t std::uint32_t std::uint64_t std::uint8_t"},
     {"cstdio",
      "EOF stderr stdin stdout std::FILE std::fclose std::ferror std::fflush std::fopen std::fread std::fwrite "

@@ -68,9 +68,7 @@ TEST(Levels, AreThoseOfTransformsAndJacobians) {
 
 // A level stays in use until another one is chosen, for all functions of that robot and for no other robot.
 TEST(Levels, BelongToOneRobot) {
-  const auto inertia = [] {
-    return quadruped::joint_space_inertia(quadruped::JointState::Constant(0.6)).eval();
-  };
+  const auto inertia = [] { return quadruped::joint_space_inertia(quadruped::JointState::Constant(0.6)).eval(); };
   const auto before = inertia();
   puma560::reflection::use_level(Level::baseline);
   const State low = forces(0.3);

@@ -1,7 +1,7 @@
 // Robots with loops: all functions compared with the reference, which closes loops by Newton's method; and the motion
 // compared with that of the tree whose loops are held closed by forces.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "interpreted_robot.h"
 #include "looped_robot.h"

@@ -1,4 +1,5 @@
-// A function that takes results of the library, and a program that calls it: two files, compiled with different options.
+// A function that takes results of the library, and a program that calls it: two files, compiled with different
+// options.
 #include "robcogen/results.h"
 
 using Motion = robcogen::GeneralizedAcceleration<double, 4>;
