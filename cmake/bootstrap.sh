@@ -3,7 +3,7 @@
 #
 #     cmake/bootstrap.sh demo              builds some robots and runs programs that use them
 #     cmake/bootstrap.sh install PREFIX    builds the generator and installs it with its CMake package
-#     cmake/bootstrap.sh test              builds and runs the tests of every change: a quarter of an hour
+#     cmake/bootstrap.sh test              builds and runs the tests of every change: about 20 minutes
 #     cmake/bootstrap.sh test everything   builds and runs every test, for releases: hours
 #
 # On Debian and its relatives the missing packages are installed by name, with sudo unless this is root. Elsewhere they
@@ -87,22 +87,22 @@ run_tests() {
   run cmake --preset "$preset"
   run cmake --build --preset "$preset"
   run ctest --preset "$preset" --output-junit "$PWD/$results" || failed=$?
+  times >"build/$preset/times"  # a subshell has times of its own
   summary "$preset" "$results" | tee "build/$preset/summary.txt"
   return "$failed"
 }
 
 # What a run did: build steps, tests, processor time, and what was skipped and why.
 summary() {
-  local count
-  count=$(grep --count --invert-match '^#' "build/$1/.ninja_log")
   echo
   echo "summary of the preset $1"
-  echo "  build steps        $count"
-  sed -n 's/.* tests="\([0-9]*\)".*/  tests              \1/p; s/.* failures="\([0-9]*\)".*/  failed             \1/p;
-          s/.* skipped="\([0-9]*\)".*/  skipped            \1/p' <(tr '\n' ' ' <"$2" | sed 's/>.*//; s/ \(failures\|skipped\)=/\n &/g')
-  times | awk 'NR == 2 { split($1, u, /[ms]/); split($2, s, /[ms]/);
-    printf "  processor seconds  %d\n", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+  awk '!/^#/ && !($5 in seen) { seen[$5]; ++steps } END { print "  build steps        " steps }' "build/$1/.ninja_log"
+  awk 'NR == 2 { split($1, own, /[ms]/); split($2, kernel, /[ms]/)
+    printf "  %-18s %d\n", "processor seconds", 60 * (own[1] + kernel[1]) + own[2] + kernel[2] }' "build/$1/times"
   awk -F'"' '/<testcase / { name = $2 } /<skipped / { print "  skipped: " name ": " $2 }' "$2"
+  awk -F'"' '/^\t(tests|failures|skipped)=/ { n[$1] = $2 } /<testcase/ { exit } END {
+    t = n["\ttests="]; f = n["\tfailures="]; s = n["\tskipped="]
+    print t - f - s " passed, " f " failed, " s " skipped" }' "$2"
 }
 
 case "$command${argument:+ ARGUMENT}" in

@@ -199,7 +199,7 @@ std::string with_a_weld(const KinematicTree& robot, std::uint64_t seed) {
 }
 
 void expect_the_same_machine(Rewrite rewrite) {
-  const int robots = volume("ROBCOGEN_TEST_ROBOTS", 100);
+  const int robots = volume("ROBCOGEN_TEST_ROBOTS", 50);
   for (int i = 0; i < robots; ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 10000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 15});

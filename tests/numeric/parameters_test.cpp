@@ -115,7 +115,7 @@ std::string difference(const Parametric& p, const std::vector<double>& values, s
 }
 
 TEST(Parameters, FedWithValuesAreConstants) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 20000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 12});
     const Parametric p = parametric(robot, seed);
@@ -132,7 +132,7 @@ TEST(Parameters, FedWithValuesAreConstants) {
 // The same programs with other lengths, angles and masses. A body whose mass properties all grow by one factor remains
 // physical, whatever the other values are.
 TEST(Parameters, FedWithOtherValuesAreTheOtherRobot) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 30000;
     KinematicTree robot = random_robot(seed, {.max_joints = 12});
     // Parameter 0 is a factor of all masses and inertias, parameter 1 of all lengths; parameter 2 is added to all
@@ -163,7 +163,7 @@ constexpr double kMagnifiedRounding = 1e-9;
 // Splits all programs of the robot: the results from the cache are the same, also after an update of only one
 // interface.
 TEST(Parameters, SplitOffChangeNoResult) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 40000;
     SCOPED_TRACE("seed " + std::to_string(seed));
     const KinematicTree constant = random_robot(seed, {.max_joints = 12});

@@ -27,7 +27,7 @@ using symbolic::Program;
 constexpr std::uint64_t kFirstSeed = 50000;
 
 int robots() {
-  return volume("ROBCOGEN_TEST_ROBOTS", 60);
+  return volume("ROBCOGEN_TEST_ROBOTS", 30);
 }
 
 std::map<std::string, Program> programs_of(std::uint64_t seed, const std::vector<std::string>& passes = pass::names()) {
