@@ -5,9 +5,9 @@
 #     FOLDER      for generated and compiled files
 if(NOT MUSL_GCC)
   if(REQUIRED)
-    message(FATAL_ERROR "there is no musl-gcc (Debian: musl-tools)")
+    message(FATAL_ERROR "musl-gcc is missing (Debian: musl-tools)")
   endif()
-  message(NOTICE "skipped: there is no musl-gcc")
+  message(NOTICE "skipped: musl-gcc is missing")
   return()
 endif()
 file(REMOVE_RECURSE ${FOLDER})

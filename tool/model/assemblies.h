@@ -22,7 +22,7 @@ struct LoopAssemblies {
 };
 
 // Searches from positions all around the start, of the candidates for dependent joints, best first. The other joints
-// remain at the start. There is no way if the loops cannot be closed.
+// remain at the start. The list is empty if the loops cannot be closed.
 LoopAssemblies find_assemblies(
     const LoopContext& context,
     const std::vector<int>& loops,

@@ -3,6 +3,7 @@
 #include "backend/c/printers.h"
 #include "backend/common/planned_file.h"
 #include "support/concat.h"
+#include "support/words.h"
 
 namespace robcogen::backend::c {
 namespace {

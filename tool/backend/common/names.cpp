@@ -77,16 +77,6 @@ std::vector<std::string> claim_all(const std::vector<std::string>& wanted, IsRes
   return claim_all(scope, wanted);
 }
 
-std::vector<std::string> words(std::string_view text) {
-  std::vector<std::string> result;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (end > 0) result.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return result;
-}
-
 std::string dotted(const std::string& scope) {
   return replaced(scope, "::", ".");
 }

@@ -46,9 +46,6 @@ std::vector<std::string> claim_all(NameScope& scope, std::vector<std::string> wa
 // The same in a new scope, for example that of the members of a structure.
 std::vector<std::string> claim_all(const std::vector<std::string>& wanted, IsReserved is_reserved);
 
-// The words of a text, split at blanks.
-std::vector<std::string> words(std::string_view text);
-
 // `transforms.homogeneous` for `transforms::homogeneous`.
 std::string dotted(const std::string& scope);
 

@@ -42,7 +42,7 @@ std::string definition(
          cpp::call("::" + function.name_in(precision), arguments, 2) + "}\n";
 }
 
-// Only the tables of a robot with parameters read `numbers`, which are no functions of the library in C.
+// `numbers` are left out: only the tables of a robot with parameters read them, and the library in C lacks them.
 std::string print_kernels(const Api& api, const std::string& path) {
   const c::Names names = c::names(*api.library);
   const std::string folder = cpp::folder(*api.library);

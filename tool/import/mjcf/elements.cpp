@@ -1,8 +1,8 @@
 #include "import/mjcf/elements.h"
 
-#include <algorithm>
 #include <map>
-#include <sstream>
+
+#include "support/words.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -77,13 +77,6 @@ constexpr Row kRows[] = {
     {"deformable", "", "", "flex skin"},
 };
 
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
-}
-
 std::map<std::string, KnownElement> table() {
   std::map<std::string, KnownElement> result;
   for (const Row& row : kRows) {
@@ -94,14 +87,10 @@ std::map<std::string, KnownElement> table() {
   return result;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 bool KnownElement::has(const std::string& attribute) const {
-  return contains(read, attribute) || contains(without_effect, attribute);
+  return is_among(read, attribute) || is_among(without_effect, attribute);
 }
 
 const KnownElement* known_element(const std::string& kind) {

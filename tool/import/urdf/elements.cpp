@@ -1,8 +1,8 @@
 #include "import/urdf/elements.h"
 
-#include <algorithm>
 #include <map>
-#include <sstream>
+
+#include "support/words.h"
 
 namespace robcogen::import::from_urdf {
 
@@ -48,13 +48,6 @@ constexpr Row kRows[] = {
     {"ratio", "value", "", "", ""},
 };
 
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
-}
-
 std::map<std::string, KnownElement> table() {
   std::map<std::string, KnownElement> result;
   for (const Row& row : kRows)
@@ -63,14 +56,10 @@ std::map<std::string, KnownElement> table() {
   return result;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 bool KnownElement::has(const std::string& attribute) const {
-  return contains(required, attribute) || contains(optional, attribute) || contains(without_effect, attribute);
+  return is_among(required, attribute) || is_among(optional, attribute) || is_among(without_effect, attribute);
 }
 
 const KnownElement* known_element(const std::string& name) {
@@ -81,7 +70,7 @@ const KnownElement* known_element(const std::string& name) {
 
 bool is_without_effect(const std::string& child, const std::string& parent) {
   const KnownElement* known = known_element(parent);
-  return known != nullptr && contains(known->children_without_effect, child);
+  return known != nullptr && is_among(known->children_without_effect, child);
 }
 
 }  // namespace robcogen::import::from_urdf

@@ -2,20 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "import/urdf/element_reader.h"
+#include "support/words.h"
 
 namespace robcogen::import::from_urdf {
 
 namespace {
 
 constexpr const char* kNotRead = "mechanics-not-read";
-
-bool is_among(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // The text of an element without children, without blanks.
 std::string text_of(const Element& element, const Source& source) {
