@@ -268,7 +268,7 @@ TEST(Contacts, InverseDynamicsSubtractsGivenWrenches) {
 TEST(Contacts, ConstrainedInverseDynamicsHasTheSmallestWrenches) {
   int compared = 0, open = 0;
   for_each_case("contacts", [&](Case& c) {
-    EXPECT_EQ(c.robot->programs().contains("constrained_inverse_dynamics"), c.floating());
+    EXPECT_EQ(c.robot->has("constrained_inverse_dynamics"), c.floating());
     if (!c.floating()) return;
     Values by_contact = c.random(static_cast<int>(c.desired.contacts.size()), 0.5, 2);
     if (by_contact.size() > 2) by_contact.front() = 0;
@@ -460,7 +460,7 @@ TEST(Contacts, ThatShareNoCoordinateHaveLiteralZeros) {
       desired.contacts.push_back({*tree.find_frame("fr_" + link.name)});
   ASSERT_GT(desired.contacts.size(), 2U);
   const InterpretedRobot robot(tree, desired, {}, {}, {}, {"contacts"});
-  const symbolic::Program& program = robot.programs().at("inverse_contact_inertia");
+  const symbolic::Program& program = robot.program("inverse_contact_inertia");
   const symbolic::OutputArray& W = program.outputs.front();
   for (int r = 0; r < W.rows; ++r)
     for (int c = 0; c < W.columns; ++c) {
@@ -474,7 +474,7 @@ TEST(Contacts, CentroidalBiasIsTheRateOfMomentumWithoutAccelerations) {
   int compared = 0;
   for (int i = 0; i < 60; ++i) {
     Case c(static_cast<std::uint64_t>(i), {"centroidal", "centroidal_bias"});
-    if (!c.robot->programs().contains("centroidal_momentum_bias")) continue;
+    if (!c.robot->has("centroidal_momentum_bias")) continue;
     reference::Motion<Real> still = c.motion;
     const reference::Loads<Real> none{Vector(3), {}, false};
     const Vector wrench = reference::bias_forces(c.tables->robot(), still, none).base_wrench;
@@ -494,7 +494,7 @@ TEST(JacobiansWithBase, AndBiasesAreThoseOfTheFrames) {
     for (const model::FramePair& pair : c.desired.jacobians) {
       const std::string name = "with_base_" + pair.left.name + "_J_" + pair.right.name;
       const bool is_of_base = c.robot_tree.link_of(pair.left) == 0;
-      ASSERT_EQ(c.robot->programs().contains(name), is_of_base);
+      ASSERT_EQ(c.robot->has(name), is_of_base);
       if (!is_of_base) continue;
       const int left = frame_index(c.robot_tree, pair.left), base = 0;
       const Matrix R = reference::rotation_of(reference::transform(c.tables->robot(), c.motion.q, left, base));

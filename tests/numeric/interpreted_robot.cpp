@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 namespace robcogen::numeric {
 namespace {
@@ -45,6 +46,10 @@ std::optional<reflection::FrameQuantity> frame_quantity(symbolic::Role role) {
 
 constexpr std::size_t kFewJoints = 6;
 
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
 std::string pair_name(const std::string& left, const std::string& letter, const std::string& right) {
   return left + "_" + letter + "_" + right;
 }
@@ -67,29 +72,77 @@ InterpretedRobot::InterpretedRobot(
     std::vector<double> parameters,
     const algorithm::LinkFrames& frames,
     const std::vector<std::string>& groups)
-    : floating_(robot.floating_base),
+    : tree_(robot),
+      desired_(desired),
+      passes_(steps),
+      floating_(robot.floating_base),
       dof_(robot.dof()),
       parameters_(std::move(parameters)),
       tables_(reference_tables(robot, parameters_)) {
   for (const model::FramePair& pair : desired.transforms)
     tables_.add_transform(
         pair_name(pair.left.name, "X", pair.right.name), frame_index(robot, pair.left), frame_index(robot, pair.right));
-  std::vector<std::string> passes = steps;
-  algorithm::Formulation formulation = algorithm::take_formulation(passes);
-  formulation.frames = frames;
+  formulation_ = algorithm::take_formulation(passes_);
+  formulation_.frames = frames;
   const bool is_small = robot.joints.size() - 2 * robot.spherical_joints().size() <= kFewJoints;
   for (const std::string& group : groups.empty() ? algorithm::groups() : groups) {
     if (groups.empty() && !is_small && group.find("regressor") != std::string::npos) continue;
-    for (algorithm::RobotFunction& f : algorithm::functions(robot, desired, group, formulation)) {
-      const std::string name = f.program.name;
+    if (!contains(algorithm::groups_between_frames(), group)) {
+      pending_.push_back(group);
+      continue;
+    }
+    std::vector<algorithm::RobotFunction> functions = traced(group);
+    for (const algorithm::RobotFunction& f : functions) {
+      const std::string& name = f.program.name;
       if (group == "jacobians" && symbolic::is_jacobian(f.program.outputs.front().role))
         tables_.add_jacobian(name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
       if (const auto quantity = frame_quantity(f.program.outputs.front().role))
         tables_.add_frame_function(
             name, *quantity, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
-      programs_.emplace(name, pass::run(std::move(f.program), passes));
     }
+    add(std::move(functions));
   }
+}
+
+std::vector<algorithm::RobotFunction> InterpretedRobot::traced(const std::string& group) const {
+  return algorithm::functions(tree_, desired_, group, formulation_);
+}
+
+void InterpretedRobot::add(std::vector<algorithm::RobotFunction> functions) const {
+  for (algorithm::RobotFunction& f : functions) {
+    std::string name = f.program.name;
+    programs_.emplace(std::move(name), pass::run(std::move(f.program), passes_));
+  }
+}
+
+const symbolic::Program* InterpretedRobot::find(const std::string& name) const {
+  // Most functions begin with the name of their group.
+  std::stable_partition(pending_.begin(), pending_.end(), [&](const auto& group) { return name.starts_with(group); });
+  auto found = programs_.find(name);
+  while (found == programs_.end() && !pending_.empty()) {
+    const std::string group = pending_.front();
+    pending_.erase(pending_.begin());
+    add(traced(group));
+    found = programs_.find(name);
+  }
+  return found == programs_.end() ? nullptr : &found->second;
+}
+
+const symbolic::Program& InterpretedRobot::program(const std::string& name) const {
+  const symbolic::Program* found = find(name);
+  if (!found) throw std::out_of_range("no function " + name);
+  return *found;
+}
+
+const std::map<std::string, symbolic::Program>& InterpretedRobot::programs() const {
+  for (const std::string& group : pending_) add(traced(group));
+  pending_.clear();
+  return programs_;
+}
+
+void InterpretedRobot::replace(symbolic::Program program) {
+  find(program.name);
+  programs_.at(program.name) = std::move(program);
 }
 
 symbolic::Arrays<double> InterpretedRobot::run(
@@ -101,7 +154,8 @@ symbolic::Arrays<double> InterpretedRobot::run(
   std::string name = function;
   if (arguments.gravity != nullptr) name = function + gravity_only;
   // With gravity as an argument the base parameters are different ones.
-  if (arguments.gravity != nullptr && programs_.contains(function + "_any_gravity")) name = function + "_any_gravity";
+  if (arguments.gravity != nullptr && function.starts_with("base_") && has(function + "_any_gravity"))
+    name = function + "_any_gravity";
   if (arguments.external != nullptr) name = function + "_external";
   inputs["gravity"] = arguments.gravity != nullptr ? arguments.gravity->values() : std::vector<double>{0, 0, -9.81};
   if (arguments.external != nullptr) {
@@ -111,7 +165,7 @@ symbolic::Arrays<double> InterpretedRobot::run(
     }
   }
   inputs["parameters"] = parameters_;
-  const symbolic::Program& program = programs_.at(name);
+  const symbolic::Program& program = this->program(name);
   std::erase_if(inputs, [&](const auto& given) {
     return std::none_of(program.inputs.begin(), program.inputs.end(), [&](const symbolic::InputArray& array) {
       return array.name == given.first;
@@ -363,7 +417,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
-    if (robot.programs().contains("regressor")) {
+    if (robot.has("regressor")) {
       check_parameters_of_regressors(robot, c, checks);
       check_regressor(robot, c, checks);
       check_base_regressor(robot, c, checks);
@@ -374,7 +428,7 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_free_inverse_dynamics_derivatives(robot, c, checks);
     check_gravity_forces_derivative(robot, c, checks);
     // Large robots lack these derivatives.
-    if (robot.programs().contains("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
+    if (robot.has("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
     check_center_of_mass(robot, c, checks);
     check_centroidal_momentum(robot, c, checks);
     check_free_fall(robot, c, checks);

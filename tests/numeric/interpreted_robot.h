@@ -29,8 +29,9 @@ class InterpretedRobot {
   template <class Scalar>
   using Vector = reference::Vector<Scalar>;
 
-  // Traces the functions of these groups in these link frames, and optimises them by `steps`. Without groups, traces
-  // all of them, except the regressors of robots with many joints: their matrices are the largest.
+  // The functions of these groups, traced in these link frames and optimised by `steps`. Without groups, all of them,
+  // except the regressors of robots with many joints: their matrices are the largest. The functions of a group are
+  // traced when one of them first runs.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
@@ -41,10 +42,13 @@ class InterpretedRobot {
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.
   reflection::Robot tables() const { return tables_.robot(); }
-  const std::map<std::string, symbolic::Program>& programs() const { return programs_; }
+  // All programs, by their unique names.
+  const std::map<std::string, symbolic::Program>& programs() const;
+  bool has(const std::string& name) const { return find(name) != nullptr; }
+  const symbolic::Program& program(const std::string& name) const;
 
   // Replaces the program of that name by another form of the same function.
-  void replace(symbolic::Program program) { programs_.at(program.name) = std::move(program); }
+  void replace(symbolic::Program program);
 
   // The members that checks call: see CompiledRobot.
   Vector<double> inverse_dynamics(const State& m, const reference::Arguments& arguments) const;
@@ -107,11 +111,21 @@ class InterpretedRobot {
 
   int rows() const { return floating_ ? 6 + dof_ : dof_; }
 
+  // Null if there is no such function.
+  const symbolic::Program* find(const std::string& name) const;
+  std::vector<algorithm::RobotFunction> traced(const std::string& group) const;
+  void add(std::vector<algorithm::RobotFunction> functions) const;
+
+  model::KinematicTree tree_;
+  model::DesiredTransforms desired_;
+  algorithm::Formulation formulation_;
+  std::vector<std::string> passes_;
   bool floating_;
   int dof_;
   std::vector<double> parameters_;
   reference::Tables tables_;
-  std::map<std::string, symbolic::Program> programs_;  // by their unique names
+  mutable std::vector<std::string> pending_;  // groups that are not traced yet
+  mutable std::map<std::string, symbolic::Program> programs_;
 };
 
 // Runs all checks on all samples: P1 to P5 of the dynamics and kinematics, and all results against the reference.

@@ -75,7 +75,7 @@ TEST_P(IterativeLoops, HaveDerivativesAlongClosedPositions) {
       {"inverse_dynamics", "forward_dynamics", "energy", "inverse_dynamics_gradient",
        "inverse_dynamics_second_derivatives"});
   const auto with_derivatives = [&](const std::string& name) {
-    const symbolic::Program& program = robot.programs().at(name);
+    const symbolic::Program& program = robot.program(name);
     return *symbolic::with_derivatives(
         program, {"q"}, symbolic::DerivativeMode::forward, 1'000'000, algorithm::follower_rates(tree));
   };
@@ -126,9 +126,9 @@ TEST_P(IterativeLoops, HaveDerivativesAlongClosedPositions) {
   };
   for (const auto& [name, output] :
        {std::pair("inverse_dynamics", "tau"), {"forward_dynamics", "qdd"}, {"kinetic_energy", "T"}})
-    expect_derivative(robot.programs().at(name), output, with_derivatives(name), "d_q");
-  const symbolic::Program& gradient = robot.programs().at("inverse_dynamics_gradient");
-  const symbolic::Program& second = robot.programs().at("inverse_dynamics_second_derivatives");
+    expect_derivative(robot.program(name), output, with_derivatives(name), "d_q");
+  const symbolic::Program& gradient = robot.program("inverse_dynamics_gradient");
+  const symbolic::Program& second = robot.program("inverse_dynamics_second_derivatives");
   for (const std::string of : {"d_q", "d_qd", "d_qdd"}) expect_derivative(gradient, of, second, of + "_q");
 }
 

@@ -116,14 +116,14 @@ TEST_P(LoopedRobots, HaveTheGradientsOfTheirForces) {
         {"weights", values(reference::uniform_vector(engine, tables.dof(), 1))}};
     const std::vector<double> parameters = values_near_defaults(*tree);
     if (!parameters.empty()) inputs["parameters"] = {parameters.begin(), parameters.end()};
-    const auto gradient = symbolic::interpret(robot.programs().at("inverse_dynamics_gradient"), inputs);
+    const auto gradient = symbolic::interpret(robot.program("inverse_dynamics_gradient"), inputs);
     for (const char* input : {"q", "qd", "qdd"}) {
       for (std::size_t k = 0; k < inputs.at(input).size(); ++k) {
         const auto weighted = [&](int steps) {
           symbolic::Arrays<Real> moved = inputs;
           moved.at(input)[k] += static_cast<Real>(steps) * kStep;
           moved.erase("weights");
-          const auto tau = symbolic::interpret(robot.programs().at("inverse_dynamics"), moved).at("tau");
+          const auto tau = symbolic::interpret(robot.program("inverse_dynamics"), moved).at("tau");
           Real sum = 0;
           for (std::size_t j = 0; j < tau.size(); ++j) sum += inputs.at("weights")[j] * tau[j];
           return sum;

@@ -74,7 +74,7 @@ algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t se
 TEST(LinkFrames, ChangeNoResult) {
   std::vector<std::string> physical = all_steps();
   std::erase(physical, "base-parameters");
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 40); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 50000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 10});
     const std::vector<std::string>& steps = i % 3 == 0 ? physical : all_steps();

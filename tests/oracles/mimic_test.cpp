@@ -169,7 +169,7 @@ class MimicRobot {
   }
 
   // Robots without mass, or with parts without mass, lack some functions.
-  bool has(const std::string& function) const { return robot_.programs().contains(function); }
+  bool has(const std::string& function) const { return robot_.has(function); }
 
   static void expect(const char* what, double error, double tolerance) {
     std::printf(" %s %.1e", what, error);
