@@ -10,12 +10,9 @@
 #include <vector>
 
 #include "support/files.h"
-#include "symbolic/accuracy.h"
-#include "symbolic/angle_parts.h"
 #include "symbolic/count.h"
-#include "symbolic/derivative.h"
+#include "symbolic/function.h"
 #include "symbolic/program.h"
-#include "symbolic/solved_columns.h"
 
 namespace robcogen::backend {
 
@@ -141,47 +138,9 @@ struct ParameterData {
 // Left: it is the inverse.
 enum class PrimitiveConvention { none, left, right };
 
-struct PrimitiveData {
-  bool rotation = false;
-  int axis = 0;  // 0 x, 1 y, 2 z
-};
-
-// A coordinate transform as a product: its factors from left to right, and the program that computes their amounts (m,
-// rad), one row per factor.
-struct ProductData {
-  std::vector<PrimitiveData> primitives;
-  symbolic::Program amounts;
-};
-
-// One callable function. Overloads share `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
-struct Function {
-  std::string group;   // file stem: inverse_dynamics, forward_dynamics, joint_space_inertia, transforms, jacobians
-  std::string scope;   // nested namespace: "", "transforms::motion", "jacobians", …
-  std::string name;    // `inverse_dynamics`, `fr_base_X_fr_foot`
-  std::string kernel;  // `inverse_dynamics_external`; identifier, unique in the library
-  std::vector<std::string> summary;       // documentation lines: what, frames, units, source
-  std::vector<int> columns;               // jacobians: joint index of each column
-  std::vector<std::string> labels = {};   // regressors: what each column multiplies
-  int left_frame = -1, right_frame = -1;  // transforms, jacobians: indices into frames
-  symbolic::Program program;
-  std::string method = {};                                  // how it is computed, where there was a choice
-  std::optional<symbolic::RoundingError> error = {};        // where it was measured
-  std::vector<symbolic::DerivativeBlock> derivatives = {};  // blocks of its outputs, to be checked by differences
-  // Set for languages whose functions take precomputed sines and cosines, if the program reads any.
-  std::optional<symbolic::AngleParts> parts = {};
-  // Set for languages with vectors: the same program with congruent limbs in lanes, if there is one, and a text for
-  // each class of congruent limbs.
-  std::optional<symbolic::Program> in_lanes = {};
-  std::vector<std::string> limbs_in_lanes = {};
-  // Set where Features::column_loops asks for a loop: the function calls the stage that has the name of `right_sides`,
-  // whose last output is `factor`, and solves. `program` then has inputs and outputs only.
-  std::optional<symbolic::SolvedColumns> solved = {};
-  // Set for homogeneous transforms, where Library::primitives is a convention: the product in this convention.
-  std::optional<ProductData> product = {};
-  // Set for homogeneous transforms without a robot, for checks: the product in the convention `right`, from all
-  // parameters and all variables.
-  std::optional<ProductData> factors = {};
-};
+using ProductData = symbolic::Product;
+using PrimitiveData = symbolic::Product::Primitive;
+using symbolic::Function;
 
 // Which functions loop over right-hand sides: Function::solved, Library::stages.
 enum class ColumnLoops {
