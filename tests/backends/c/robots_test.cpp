@@ -86,13 +86,14 @@ template <class Real>
 std::vector<Real> random_values(const Library& library, const symbolic::InputArray& input, std::mt19937& dice) {
   std::vector<Real> values;
   for (const std::string& element : input.elements) {
-    const auto p = std::find_if(library.parameters.begin(), library.parameters.end(), [&](const ParameterData& data) {
-      return input.role == symbolic::Role::parameters && data.name == element;
+    const std::vector<model::Parameter>& parameters = library.parameters();
+    const auto p = std::find_if(parameters.begin(), parameters.end(), [&](const model::Parameter& parameter) {
+      return input.role == symbolic::Role::parameters && parameter.name == element;
     });
-    const double around = p == library.parameters.end() || std::isnan(p->default_value) ? 0 : p->default_value;
+    const double around = p == parameters.end() ? 0 : p->default_value.value_or(0);
     const double u = std::uniform_real_distribution<double>(-1, 1)(dice);
     // Loops close only near the position in which they are assembled.
-    const bool is_near = !library.loops.empty() && input.role == symbolic::Role::joint_position;
+    const bool is_near = !library.tree.loops.empty() && input.role == symbolic::Role::joint_position;
     values.push_back(static_cast<Real>(around == 0 ? (is_near ? 0.1 : 3) * u : around * (1 + u / 5)));
   }
   for (const int first : input.quaternions) {
@@ -139,7 +140,7 @@ std::string differences(const Library& library, const c::Callable& c, void* func
     if (input.role != symbolic::Role::parameters || is_cache) continue;
     // The structure holds all parameters, including those that the function does not read.
     std::vector<Real> all;
-    for (const ParameterData& p : library.parameters) {
+    for (const model::Parameter& p : library.parameters()) {
       const auto place = std::find(input.elements.begin(), input.elements.end(), p.name);
       all.push_back(place == input.elements.end() ? Real(-7) : values[std::size_t(place - input.elements.begin())]);
     }
@@ -226,7 +227,7 @@ TEST(C, ParametersOfJointsGiveWhatTheInterpreterGives) {
   const Library robot = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../drives/adjustable.kindsl", "adjustable",
       {algorithm::default_groups()});
-  ASSERT_EQ(robot.parameters.size(), 5U);
+  ASSERT_EQ(robot.tree.parameters.size(), 5U);
   EXPECT_EQ(differences(robot), "");
 }
 
@@ -246,18 +247,19 @@ TEST(C, UpdatedCachesStandForTheParameters) {
   const Library plain = driver::library(*model, {.names = {"leg"}, .groups = {"inverse_dynamics"}});
   const symbolic::Program& program = plain.functions.front().program;
 
+  const std::vector<model::Parameter>& parameters = leg.tree.parameters;
   std::vector<double> all, cache(1000, std::numeric_limits<double>::quiet_NaN());
   symbolic::Arrays<double> inputs;
-  while (all.size() < leg.parameters.size()) all.push_back(0.5 + 0.1 * static_cast<double>(all.size()));
+  while (all.size() < parameters.size()) all.push_back(0.5 + 0.1 * static_cast<double>(all.size()));
   std::vector<std::vector<double>> arrays = {cache};
   for (const symbolic::InputArray& input : program.inputs) {
     std::vector<double>& values = inputs[input.name];
     for (const std::string& element : input.elements) {
-      const auto p = std::find_if(leg.parameters.begin(), leg.parameters.end(), [&](const ParameterData& data) {
-        return data.name == element;
+      const auto p = std::find_if(parameters.begin(), parameters.end(), [&](const model::Parameter& parameter) {
+        return parameter.name == element;
       });
       const bool is_parameter = input.role == symbolic::Role::parameters;
-      values.push_back(is_parameter ? all[std::size_t(p - leg.parameters.begin())] : 0.3 * double(values.size()) - 0.7);
+      values.push_back(is_parameter ? all[std::size_t(p - parameters.begin())] : 0.3 * double(values.size()) - 0.7);
     }
     if (input.role != symbolic::Role::parameters) arrays.push_back(values);
   }
@@ -353,9 +355,9 @@ TEST(C, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
 TEST(C, TakesAnyName) {
   Library names = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../codegen/names.kindsl", "names", {algorithm::default_groups()});
-  names.robot = "what?\?/";
+  names.tree.name = "what?\?/";
   names.model_file = "a*/b\\\n?\?/";
-  names.joints.front().name = "a\"b?\?/";
+  names.tree.joints.front().name = "a\"b?\?/";
   EXPECT_EQ(differences(names), "");
 }
 

@@ -30,7 +30,7 @@ struct Matrix {
 
 Matrix argument(const Library& library, const InputArray& input, const std::string& name) {
   const std::size_t size = input.elements.size();
-  if (input.role == Role::parameters) return {name, library.parameters.size(), 1, {}, true};
+  if (input.role == Role::parameters) return {name, library.tree.parameters.size(), 1, {}, true};
   if (input.role == Role::link_wrenches) return {name, 6, size / 6};
   return {name, size, 1};
 }

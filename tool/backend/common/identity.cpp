@@ -1,14 +1,12 @@
 #include "backend/common/identity.h"
 
-#include "support/index.h"
-
 namespace robcogen::backend {
 
 std::string identity(const Library& library) {
-  std::string text = library.model_hash + (library.uses_passive_forces ? " passive forces" : "");
-  for (const ContactData& c : library.contacts)
-    text += " " + library.frames[at(c.frame)].name + (c.is_surface ? " surface" : " point");
-  if (!library.parameters.empty())
+  std::string text = library.model_hash + (library.tree.uses_passive_forces ? " passive forces" : "");
+  for (const model::ContactFrame& c : library.contacts)
+    text += " " + c.frame.name + (c.is_surface ? " surface" : " point");
+  if (!library.parameters().empty())
     for (const std::string& group : library.groups) text += " " + group;
   return hash_text(text);
 }

@@ -37,7 +37,8 @@ std::vector<std::string> scopes(const std::vector<Callable>& callables) {
 
 std::size_t required_inputs(const Library& library, const Callable& callable) {
   const std::vector<symbolic::InputArray>& inputs = callable.overloads.front()->program.inputs;
-  const bool has_default = !library.floating_base && !inputs.empty() && inputs.back().role == symbolic::Role::gravity;
+  const bool has_default =
+      !library.tree.floating_base && !inputs.empty() && inputs.back().role == symbolic::Role::gravity;
   return inputs.size() - (has_default ? 1 : 0);
 }
 

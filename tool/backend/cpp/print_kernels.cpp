@@ -8,6 +8,7 @@
 #include "backend/cpp/printers.h"
 #include "backend/cpp/small_angles.h"
 #include "backend/cpp/solve_columns.h"
+#include "support/index.h"
 #include "support/parallel.h"
 #include "symbolic/count.h"
 
@@ -201,7 +202,7 @@ std::string sines_and_cosines(
   if (read.empty()) return "";
   std::vector<std::string> places;
   for (const int k : read) places.push_back(std::to_string(k));
-  if (read.back() >= static_cast<int>(library.joints.size())) {
+  if (read.back() >= library.tree.dof()) {
     const Kernel kernel = lower_values(angles);
     return body(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
            template_call(space + "::sincos_to", places, "(angles, sin_q, cos_q)", 2);
@@ -297,12 +298,13 @@ std::string print_kernel(const Library& library, const Callable& callable) {
 // The sines and cosines of all angles. For prismatic joints these are the sine and cosine of zero.
 std::string print_joint_trigonometry(const Library& library) {
   symbolic::Program angles = library.trigonometry->angles;
+  const std::vector<int> joints = library.tree.coordinates();
   std::vector<symbolic::Operand> values;
   std::vector<int> turning;
   std::string rest;
   for (int k = 0; k < library.trigonometry->angle_count; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    if (index < library.joints.size() && !turns(library.joints[index].type)) {
+    if (index < joints.size() && !model::turns(library.tree.joints[at(joints[index])].type)) {
       const std::string place = "[" + std::to_string(k) + "] = ";
       rest += "  sin_q" + place + "Scalar(0.0);\n  cos_q" + place + "Scalar(1.0);\n";
       continue;
@@ -327,9 +329,7 @@ std::string print_joint_trigonometry(const Library& library) {
 std::string conventions(const Library& library) {
   const std::string overlap = "Outputs must not overlap inputs.";
   if (!library.has_robot()) return overlap;
-  std::vector<std::string> joints;
-  for (const JointData& joint : library.joints) joints.push_back(joint.name);
-  return overlap + " Joints: " + numbered(joints) + ".";
+  return overlap + " Joints: " + numbered(model::names_of(library.tree, library.tree.coordinates())) + ".";
 }
 
 // The legend of the names of values, for kernels of the dynamics.

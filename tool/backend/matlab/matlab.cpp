@@ -74,7 +74,7 @@ std::vector<OutputFile> print(const Library& library) {
   const std::string top = package(library, "");
   std::vector<OutputFile> files = {{top + "Contents.m", print_contents(library, all)}};
   if (library.has_robot()) files.push_back({top + "model.m", print_model(library)});
-  if (!library.parameters.empty()) files.push_back({top + "parameters.m", print_parameters(library)});
+  if (!library.parameters().empty()) files.push_back({top + "parameters.m", print_parameters(library)});
   for (const Callable& callable : all)
     files.push_back({package(library, callable.scope) + callable.name + ".m", print_function(library, callable)});
   if (library.primitives == PrimitiveConvention::none) return files;
