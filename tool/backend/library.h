@@ -83,4 +83,7 @@ struct Library {
   std::vector<std::string> frames() const;
 };
 
+// Whether a group has functions of frames: transforms, Jacobians, velocities and accelerations.
+bool is_kinematics(const std::string& group);
+
 }  // namespace robcogen::backend

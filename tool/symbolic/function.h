@@ -9,6 +9,7 @@
 #include "symbolic/accuracy.h"
 #include "symbolic/angle_parts.h"
 #include "symbolic/derivative.h"
+#include "symbolic/kernel_form.h"
 #include "symbolic/program.h"
 #include "symbolic/solved_columns.h"
 
@@ -47,6 +48,8 @@ struct Function {
   // each class of congruent limbs.
   std::optional<Program> in_lanes = {};
   std::vector<std::string> limbs_in_lanes = {};
+  // Set for languages with vectors too: what kernels these programs become.
+  KernelForm form = {};
   // The same with a loop over right-hand sides, where the program is long and the language wants one: the function then
   // calls the stage that has the name of `right_sides`, whose last output is `factor`, and solves. `program` has inputs
   // and outputs only.

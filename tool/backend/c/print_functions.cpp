@@ -6,7 +6,7 @@
 #include "backend/common/columns.h"
 #include "backend/common/layout.h"
 #include "backend/common/meaning.h"
-#include "backend/common/parts.h"
+#include "backend/common/split_kernel.h"
 #include "support/index.h"
 
 namespace robcogen::backend::c {
@@ -47,12 +47,12 @@ std::string definition(const Names& names, const Callable& c, const std::string&
   std::string head = signature(names, c, start, kernel.parameters, precision, " {");
   for (const Parameter& p : kernel.parameters)
     if (!p.used) head += "  (void)" + p.name + ";\n";
-  if (kernel.lines.size() <= kLongest) return head + body(kernel, d) + "}\n";
-  const Parts parts = in_parts(kernel, kPart, d);
+  if (!is_long(kernel, d)) return head + body(kernel, d) + "}\n";
+  const SplitKernel split = split_kernel(kernel, d);
   std::string text, calls;
-  for (const Handed& h : parts.handed)
-    calls += "  " + precision.scalar + " " + subscripted(h.array.name, h.size) + ";\n";
-  for (const Kernel& part : parts.kernels) {
+  for (const LiveValues& live : split.live)
+    calls += "  " + precision.scalar + " " + subscripted(live.array.name, live.size) + ";\n";
+  for (const Kernel& part : split.parts) {
     const std::string name = private_name(names, part.name, precision);
     text += signature(names, c, "static void " + name, part.parameters, precision, " {") + body(part, d) + "}\n\n";
     calls += wrapped("  " + name + "(", names_of(part.parameters), ");");

@@ -11,8 +11,13 @@ std::string identity(const Library& library) {
   return hash_text(text);
 }
 
-std::string group_of_identity(const Library& library) {
-  return library.has_robot() ? "parameters" : "transforms";
+std::string name_of_model(const Library& library) {
+  return "model_" + identity(library);
+}
+
+std::vector<std::string> identity_names(const Library& library, const std::string& group) {
+  if (group != (library.has_robot() ? "parameters" : "transforms")) return {};
+  return {name_of_model(library), "two_models_have_the_same_NAME_and_NAMESPACE"};
 }
 
 }  // namespace robcogen::backend

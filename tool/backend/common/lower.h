@@ -57,6 +57,13 @@ struct Kernel {
   std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
 };
 
+// Numbers of lines that decide which kernels are split, and into how long parts (split_kernel.h).
+struct KernelLengths {
+  std::size_t longest, longest_in_lanes;  // of kernels that stay whole
+  std::size_t cached;                     // of kernels that fit in the instruction cache
+  std::size_t part, short_part;           // short: of kernels with lanes, and of those that exceed the cache
+};
+
 // How a language spells what lowering decides.
 struct Dialect {
   IsReserved is_reserved = nullptr;
@@ -72,6 +79,7 @@ struct Dialect {
   // If at least this many elements of one input have sines and cosines, these are computed together; 0: never. The
   // sines and cosines of elements in between are computed too.
   std::size_t angles_together = 0;
+  KernelLengths lengths{};  // for languages that split long kernels
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each element is a name,
   // an input element or a number, and the printer puts the outputs together at the end.
   bool stores = true;

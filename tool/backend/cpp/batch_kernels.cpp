@@ -51,14 +51,6 @@ bool is_symmetric(const Callable& callable) {
   return outputs.size() == 1 && outputs.front().role == Role::inertia_matrix;
 }
 
-bool takes_single_states(const Callable& callable) {
-  // Eight states in double precision: 256 KB.
-  constexpr int kMaxElements = 4'000;
-  int elements = 0;
-  for (const OutputArray& output : callable.function->program.outputs) elements += output.rows * output.columns;
-  return elements > kMaxElements && !is_symmetric(callable);
-}
-
 std::vector<BatchKernel> batch_kernels(const std::vector<const Callable*>& callables) {
   std::vector<BatchKernel> result;
   for (const Callable* c : callables) {

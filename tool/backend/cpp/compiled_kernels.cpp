@@ -44,12 +44,6 @@ std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& 
   return result;
 }
 
-bool is_kinematics(const std::string& group) {
-  for (const char* word : {"transforms", "jacobian", "velocities", "accelerations"})
-    if (group.rfind(word, 0) == 0) return true;
-  return false;
-}
-
 std::string lanes(int width) {
   return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
 }

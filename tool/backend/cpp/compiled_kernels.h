@@ -31,9 +31,6 @@ std::vector<const Callable*> kernels_of(const Api& api, const std::string& group
 // The parameters of joint_trigonometry.
 std::vector<Parameter> trigonometry_parameters(const Library& library);
 
-// Whether a group has functions of frames: transforms, Jacobians, velocities and accelerations.
-bool is_kinematics(const std::string& group);
-
 // `template <class Scalar> HEAD(PARAMETERS)TAIL`, with HEAD `void name`. Unused parameters have no name.
 std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail);
 

@@ -23,7 +23,7 @@ std::string lanes_of(const BatchArray& array) {
 std::optional<Kernel> kernel_in_place(const Callable& callable) {
   if (!is_symmetric(callable)) return std::nullopt;
   Kernel kernel = lower(callable.function->program, callable.kernel);
-  return kernel.lines.size() <= kLongest ? std::optional(std::move(kernel)) : std::nullopt;
+  return is_long(kernel, dialect()) ? std::nullopt : std::optional(std::move(kernel));
 }
 
 // A kernel that writes to columns. It is not inlined into the loop over blocks, because it would then keep the address
@@ -70,7 +70,7 @@ std::string definition(const Api& api, const BatchKernel& kernel, bool in_place)
 // The kernels that take blocks of states.
 std::vector<BatchKernel> in_blocks(const Api& api, const std::string& group) {
   std::vector<BatchKernel> kernels = batch_kernels(callables_of(api, group));
-  std::erase_if(kernels, [](const BatchKernel& k) { return takes_single_states(*k.callable); });
+  std::erase_if(kernels, [](const BatchKernel& k) { return k.callable->function->form.takes_single_states; });
   return kernels;
 }
 

@@ -1,0 +1,47 @@
+// A block of C++ in a guide of the generator that begins with the path of a file is part of this file.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+
+#include "markdown.h"
+
+namespace robcogen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Returns what is wrong with a block; empty if it is right, or does not begin with a path.
+std::string fault(const std::string& block) {
+  static const std::regex head(R"(^// ((tool|tests)/\S+)\n)");
+  std::smatch found;
+  if (!std::regex_search(block, found, head)) return "";
+  const fs::path file = source_folder() / found[1].str();
+  if (!fs::exists(file)) return "no such file";
+  return read_text(file).find(found.suffix().str()) == std::string::npos ? "not in the file" : "";
+}
+
+TEST(Excerpts, AreInTheirFiles) {
+  const std::regex fence("```cpp\n([^`]*)```");
+  int count = 0;
+  for (const char* guide : {"tool/README.md", "tool/backend/README.md"}) {
+    const std::string text = read_text(source_folder() / guide);
+    for (std::sregex_iterator at(text.begin(), text.end(), fence), end; at != end; ++at) {
+      const std::string block = (*at)[1];
+      if (block.starts_with("// t")) ++count;
+      EXPECT_EQ(fault(block), "") << guide << ":\n" << block;
+    }
+  }
+  EXPECT_GE(count, 4);
+}
+
+TEST(Excerpts, FaultsAreFound) {
+  EXPECT_EQ(fault("// tool/pass/kernel_form.h\n#pragma once\n"), "");
+  EXPECT_EQ(fault("// tool/pass/kernel_form.h\n#pragma twice\n"), "not in the file");
+  EXPECT_EQ(fault("// tool/pass/nothing.h\n"), "no such file");
+  EXPECT_EQ(fault("int x;\n"), "");
+}
+
+}  // namespace
+}  // namespace robcogen::test
