@@ -1,4 +1,5 @@
-// A block of C++ in a guide of the generator that begins with the path of a file is part of this file.
+// A block of C++ in a guide of the generator that begins with the path of a file is part of this file: of the project,
+// or of those that the generator prints for the robot hyl.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,12 +13,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The folder with the generated code of hyl.
+const fs::path& generated() {
+  static const fs::path folder = [] {
+    const fs::path made = scratch("excerpts");
+    int status = 0;
+    const std::string output = output_of(
+        "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + made.string() +
+            "'",
+        status);
+    EXPECT_EQ(status, 0) << output;
+    return made;
+  }();
+  return folder;
+}
+
 // Returns what is wrong with a block; empty if it is right, or does not begin with a path.
 std::string fault(const std::string& block) {
-  static const std::regex head(R"(^// ((tool|tests)/\S+)\n)");
+  static const std::regex head(R"(^// ((tool|tests|hyl)/\S+)\n)");
   std::smatch found;
   if (!std::regex_search(block, found, head)) return "";
-  const fs::path file = source_folder() / found[1].str();
+  const fs::path file = (found[2] == "hyl" ? generated() : source_folder()) / found[1].str();
   if (!fs::exists(file)) return "no such file";
   return read_text(file).find(found.suffix().str()) == std::string::npos ? "not in the file" : "";
 }
@@ -29,11 +45,12 @@ TEST(Excerpts, AreInTheirFiles) {
     const std::string text = read_text(source_folder() / guide);
     for (std::sregex_iterator at(text.begin(), text.end(), fence), end; at != end; ++at) {
       const std::string block = (*at)[1];
-      if (block.starts_with("// t")) ++count;
+      if (block.starts_with("// ")) ++count;
       EXPECT_EQ(fault(block), "") << guide << ":\n" << block;
     }
   }
-  EXPECT_GE(count, 4);
+  EXPECT_GE(count, 6);
+  fs::remove_all(generated());
 }
 
 TEST(Excerpts, FaultsAreFound) {

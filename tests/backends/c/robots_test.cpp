@@ -125,7 +125,7 @@ std::vector<Real> random_cache(const Library& library, std::mt19937& dice) {
 
 // Returns a line for each difference between the function and the interpreter.
 template <class Real>
-std::string differences(const Library& library, const c::Callable& c, void* function, std::mt19937& dice) {
+std::string differences(const Library& library, const c::NamedFunction& c, void* function, std::mt19937& dice) {
   const symbolic::Program& program = c.function->program;
   const std::string& name = sizeof(Real) == 4 ? c.name_in_float : c.name;
   if (!function) return name + " is missing\n";
@@ -176,7 +176,7 @@ std::string differences(const Library& library, const std::filesystem::path& fol
   if (!loaded) return dlerror();
   std::mt19937 dice(7);
   std::string report;
-  for (const c::Callable& c : c::names(library).callables) {
+  for (const c::NamedFunction& c : c::names(library).functions) {
     for (int state = 0; state < 3; ++state) {
       report += differences<double>(library, c, dlsym(loaded, c.name.c_str()), dice);
       report += differences<float>(library, c, dlsym(loaded, c.name_in_float.c_str()), dice);
@@ -298,7 +298,7 @@ TEST_P(ColumnLoops, GiveWhatIsWrittenOut) {
   std::vector<double> parameters = {1.3}, cache(1000, std::numeric_limits<double>::quiet_NaN());
   if (!looped.updates.empty()) call(dlsym(loaded, "robot_update"), {parameters.data(), cache.data()});
   std::mt19937 dice(7);
-  for (const c::Callable& c : c::names(plain).callables) {
+  for (const c::NamedFunction& c : c::names(plain).functions) {
     const symbolic::Program& program = c.function->program;
     symbolic::Arrays<double> inputs;
     std::vector<std::vector<double>> arrays;
@@ -412,10 +412,12 @@ TEST(C, NamesOfBothPrecisionsDiffer) {
   Library library;
   library.name = "hyl";
   library.enclosing = "a::b";
-  for (const char* kernel : {"x", "xf", "parameters", "xff"})
-    library.functions.push_back({"group", "", "", kernel, {}, {}, {}, -1, -1, {}});
+  for (const char* kernel : {"x", "xf", "parameters", "xff"}) {
+    library.functions.emplace_back();
+    library.functions.back().kernel = kernel;
+  }
   std::vector<std::string> names;
-  for (const c::Callable& c : c::names(library).callables) names.insert(names.end(), {c.name, c.name_in_float});
+  for (const c::NamedFunction& c : c::names(library).functions) names.insert(names.end(), {c.name, c.name_in_float});
   EXPECT_EQ(
       names, (std::vector<std::string>{
                  "a_b_hyl_x", "a_b_hyl_xf_2", "a_b_hyl_xf", "a_b_hyl_xff_2", "a_b_hyl_parameters_2",

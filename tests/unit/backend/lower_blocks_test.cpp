@@ -197,7 +197,7 @@ TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
 }
 
 // The lines of the kernel for small angles; empty if there is none.
-std::string of_small_angles(const std::string& statements) {
+std::string lines_of_small_angles(const std::string& statements) {
   const symbolic::Program program = test::program(
       "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n" + statements +
       "return out z\n");
@@ -209,7 +209,7 @@ std::string of_small_angles(const std::string& statements) {
 }
 
 TEST(LowerSmallAngles, AreMarkedInTheirLines) {
-  const std::string text = of_small_angles(
+  const std::string text = lines_of_small_angles(
       "tmp u = gather q[0] q[1]\ntmp s = sin u\ntmp t = sin q[0]\ntmp y = s * t\ntmp z = sum_lanes y\n");
   EXPECT_NE(text.find("= robcogen::sincos_of_small(u);"), std::string::npos) << text;
   EXPECT_EQ(text.find("sincos_of_small(q[0])"), std::string::npos) << text;
@@ -217,10 +217,10 @@ TEST(LowerSmallAngles, AreMarkedInTheirLines) {
 
 // Sines of scalars have no such form, and sines in two lanes are computed together with others.
 TEST(LowerSmallAngles, AreThoseOfLanesThatAreComputedAlone) {
-  EXPECT_EQ(of_small_angles("tmp s = sin q[0]\ntmp z = s * q[1]\n"), "");
+  EXPECT_EQ(lines_of_small_angles("tmp s = sin q[0]\ntmp z = s * q[1]\n"), "");
   EXPECT_EQ(
-      of_small_angles("tmp u = gather q[0] q[2]\ntmp v = gather q[1] q[3]\ntmp s = sin u\ntmp t = sin v\n"
-                      "tmp y = s * t\ntmp z = sum_lanes y\n"),
+      lines_of_small_angles("tmp u = gather q[0] q[2]\ntmp v = gather q[1] q[3]\ntmp s = sin u\ntmp t = sin v\n"
+                            "tmp y = s * t\ntmp z = sum_lanes y\n"),
       "");
 }
 

@@ -29,9 +29,9 @@ std::vector<std::string> texts(const Kernel& kernel) {
   return result;
 }
 
-std::vector<std::string> names(const std::vector<Parameter>& parameters) {
+std::vector<std::string> names(const std::vector<KernelArray>& parameters) {
   std::vector<std::string> result;
-  for (const Parameter& p : parameters) result.push_back(p.name);
+  for (const KernelArray& p : parameters) result.push_back(p.name);
   return result;
 }
 
@@ -53,21 +53,21 @@ TEST(SplitKernel, IsCutBetweenSectionsAndKeepsWhatIsReadLater) {
   EXPECT_EQ(names(kernel.parts[0].parameters), (Texts{"q", "qd", "kept"}));
   EXPECT_EQ(
       texts(kernel.parts[0]), (Texts{
-                                   "// link hip: velocity",
-                                   "const Scalar hip_a = q[0] + qd[0];",
-                                   "const Scalar hip_b = hip_a * hip_a;",
-                                   "kept[0] = hip_b;",
-                               }));
+                                  "// link hip: velocity",
+                                  "const Scalar hip_a = q[0] + qd[0];",
+                                  "const Scalar hip_b = hip_a * hip_a;",
+                                  "kept[0] = hip_b;",
+                              }));
   EXPECT_EQ(kernel.parts[1].name, "leg_2");
   EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"q", "tau", "kept"}));
   EXPECT_EQ(
       texts(kernel.parts[1]), (Texts{
-                                   "const Scalar& hip_b = kept[0];",
-                                   "// link knee: velocity",
-                                   "const Scalar knee_a = hip_b * q[1];",
-                                   "const Scalar knee_b = knee_a * knee_a;",
-                                   "tau[0] = knee_a + knee_b;",
-                               }));
+                                  "const Scalar& hip_b = kept[0];",
+                                  "// link knee: velocity",
+                                  "const Scalar knee_a = hip_b * q[1];",
+                                  "const Scalar knee_b = knee_a * knee_a;",
+                                  "tau[0] = knee_a + knee_b;",
+                              }));
   ASSERT_EQ(kernel.live.size(), 1u);
   EXPECT_EQ(kernel.live[0].size, 1u);
 }
@@ -171,19 +171,19 @@ TEST(SplitKernel, LoadsBlocksWhereTheyAreReadAndStoresThem) {
   ASSERT_EQ(kernel.parts.size(), 2u);
   EXPECT_EQ(
       texts(kernel.parts[0]), (Texts{
-                                   "// first",
-                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
-                                   "const Lanes2 x = q_lanes[0] * q_lanes[1];",
-                                   "kept_2[0] = x;",
-                               }));
+                                  "// first",
+                                  "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                  "const Lanes2 x = q_lanes[0] * q_lanes[1];",
+                                  "kept_2[0] = x;",
+                              }));
   EXPECT_EQ(
       texts(kernel.parts[1]), (Texts{
-                                   "const Lanes2& x = kept_2[0];",
-                                   "// second",
-                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
-                                   "const Lanes2 y = x + q_lanes[0];",
-                                   "robcogen::store_lanes<2>(&out[0], x, y);",
-                               }));
+                                  "const Lanes2& x = kept_2[0];",
+                                  "// second",
+                                  "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                  "const Lanes2 y = x + q_lanes[0];",
+                                  "robcogen::store_lanes<2>(&out[0], x, y);",
+                              }));
   EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"q", "out", "kept_2"}));
 }
 
@@ -207,7 +207,7 @@ TEST(SplitKernelProperty, FollowsTheNamesThatTheTextOfALineRefersTo) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Kernel kernel = lower(test::RandomProgram(seed).make(), "leg");
     std::set<std::string> known(kernel.functions.begin(), kernel.functions.end());
-    for (const Parameter& p : kernel.parameters) known.insert(p.name);
+    for (const KernelArray& p : kernel.parameters) known.insert(p.name);
     for (const Line& line : kernel.lines)
       for (const std::string& target : line.targets)
         if (target.find('[') == std::string::npos) known.insert(target);
@@ -240,7 +240,7 @@ TEST(SplitKernelProperty, ComputesWhatTheProgramComputes) {
     for (const Kernel& part : kernel.parts) {
       // Elements that the part stores are not given, so each is undefined before.
       test::KernelEvaluator::Values given;
-      for (const Parameter& p : part.parameters)
+      for (const KernelArray& p : part.parameters)
         for (const auto& [element, value] : known)
           if (element.rfind(p.name + "[", 0) == 0 && p.name != "kept") given.emplace(element, value);
       for (const Line& line : part.lines)

@@ -14,7 +14,7 @@
 namespace robcogen::backend {
 
 // An argument or a result, as an array.
-struct Parameter {
+struct KernelArray {
   std::string name;
   bool output = false;
   bool used = true;                        // an unused parameter needs no name
@@ -50,7 +50,7 @@ struct Line {
 
 struct Kernel {
   std::string name;
-  std::vector<Parameter> parameters;
+  std::vector<KernelArray> parameters;
   std::vector<std::string> functions;  // that the lines call, except through Dialect::pairs_angles
   std::vector<int> widths;             // of values with lanes, ascending
   std::vector<Line> lines;
@@ -117,10 +117,10 @@ Dialect returning_dialect(std::size_t columns);
 
 // Inputs, then outputs, under the names that they have in the function; all marked as used. Variables take their names
 // before arrays do.
-std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
+std::vector<KernelArray> parameters(const symbolic::Program& program, const Dialect& dialect);
 
 // The names as a call lists them.
-std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
+std::vector<std::string> names_of(const std::vector<KernelArray>& parameters);
 
 // The lines of the function, indented by two, after the text `before`, with an empty line in front of each section.
 std::string body(const Kernel& kernel, const Dialect& dialect, std::string before = "");

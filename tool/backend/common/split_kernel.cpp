@@ -122,8 +122,8 @@ class KernelSplitter {
   std::vector<std::size_t> value_of_name_;       // by name; values_.size(): none
   std::map<int, std::size_t> sizes_;             // of the arrays, by width
 
-  static Parameter array(int width) {
-    Parameter p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
+  static KernelArray array(int width) {
+    KernelArray p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
     p.width = width;
     return p;
   }
@@ -233,7 +233,7 @@ class KernelSplitter {
       note(binding);
     }
     part.lines.insert(part.lines.begin(), elements.begin(), elements.end());
-    for (const Parameter& p : kernel_.parameters)
+    for (const KernelArray& p : kernel_.parameters)
       if (is_used(p.name)) part.parameters.push_back(p);
     for (const LiveValues& values : live)
       if (live_widths.count(values.array.width) > 0) part.parameters.push_back(values.array);

@@ -21,7 +21,7 @@ inline constexpr KernelLengths kLengthsOfTemplates =
 
 // An array of values of one width that are live between parts.
 struct LiveValues {
-  Parameter array;
+  KernelArray array;
   std::size_t size = 0;
 };
 

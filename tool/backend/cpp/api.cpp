@@ -137,7 +137,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
-  const std::vector<Parameter>& names = callable.parameters;
+  const std::vector<KernelArray>& names = callable.parameters;
   Overload result{&callable, callable.result, {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];

@@ -20,14 +20,14 @@ inline constexpr const char* kTrigonometryName = "at";
 // A function of the library with its C++ names.
 struct Callable {
   const Function* function = nullptr;
-  std::string kernel;                           // in namespace `kernel`
-  std::string name;                             // in the function's scope
-  std::string columns;                          // the constant that lists the joints, or the labels, of its columns
-  std::string owner;                            // the type that it is a member of; empty: a free function
-  std::string result = {};                      // the type that it returns
-  std::vector<Parameter> parameters = {};       // of the kernel: inputs, then outputs
-  std::vector<Parameter> core_parameters = {};  // of its core, if it has one
-  symbolic::OperationCount count = {};          // of the function's program
+  std::string kernel;                             // in namespace `kernel`
+  std::string name;                               // in the function's scope
+  std::string columns;                            // the constant that lists the joints, or the labels, of its columns
+  std::string owner;                              // the type that it is a member of; empty: a free function
+  std::string result = {};                        // the type that it returns
+  std::vector<KernelArray> parameters = {};       // of the kernel: inputs, then outputs
+  std::vector<KernelArray> core_parameters = {};  // of its core, if it has one
+  symbolic::OperationCount count = {};            // of the function's program
 };
 
 struct Api {

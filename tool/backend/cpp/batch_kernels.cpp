@@ -30,7 +30,7 @@ std::string strided(const BatchArray& array, const std::string& scalar) {
 
 std::vector<BatchArray> batch_arrays(const Program& program) {
   std::vector<BatchArray> result;
-  const std::vector<Parameter> names = parameters(program);
+  const std::vector<KernelArray> names = parameters(program);
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
     const auto size = static_cast<int>(input.elements.size());

@@ -87,7 +87,7 @@ const Dialect& dialect() {
   return cpp;
 }
 
-std::vector<Parameter> parameters(const symbolic::Program& program) {
+std::vector<KernelArray> parameters(const symbolic::Program& program) {
   return backend::parameters(program, dialect());
 }
 

@@ -11,15 +11,15 @@
 namespace robcogen::backend::cpp {
 
 using backend::Kernel;
+using backend::KernelArray;
 using backend::Line;
 using backend::LiveValues;
-using backend::Parameter;
 using backend::SplitKernel;
 
 const Dialect& dialect();
 
 // Inputs, then outputs, under the names that they have in the kernel; all marked as used.
-std::vector<Parameter> parameters(const symbolic::Program& program);
+std::vector<KernelArray> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
 

@@ -30,7 +30,7 @@ std::optional<Kernel> kernel_in_place(const Callable& callable) {
 // of each column in memory.
 std::string column_kernel(const Kernel& kernel) {
   std::vector<std::string> list;
-  for (const Parameter& p : kernel.parameters)
+  for (const KernelArray& p : kernel.parameters)
     list.push_back((p.output ? "const Columns " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
   return "template <class Scalar, class Columns>\n" +
          declaration("[[gnu::noinline]] void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";

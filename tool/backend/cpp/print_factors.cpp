@@ -48,9 +48,9 @@ std::string caller(const Api& api, const Callable& callable) {
 std::string amounts_of(const Callable& homogeneous) {
   const symbolic::Program& program = homogeneous.function->factors->amounts;
   const Kernel kernel = lower(program, "amounts_" + homogeneous.kernel);
-  std::vector<Parameter> list;
+  std::vector<KernelArray> list;
   for (const Role role : {Role::parameters, Role::variables}) {
-    Parameter parameter{role == Role::parameters ? "parameters" : "variables", false, false};
+    KernelArray parameter{role == Role::parameters ? "parameters" : "variables", false, false};
     for (std::size_t p = 0; p < program.inputs.size(); ++p)
       if (program.inputs[p].role == role && kernel.parameters[p].used) parameter = kernel.parameters[p];
     list.push_back(std::move(parameter));

@@ -129,7 +129,7 @@ std::string comments_in_lanes(const Callable& callable) {
 // The function that chooses between the two kernels.
 std::string print_chooser(
     const Callable& callable,
-    const std::vector<Parameter>& parameters,
+    const std::vector<KernelArray>& parameters,
     const std::string& specifiers = "") {
   const std::vector<std::string> names = names_of(parameters);
   const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
@@ -194,10 +194,8 @@ std::string sines_and_cosines(
     return body(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
            template_call(space + "::sincos_to", places, "(angles, sin_q, cos_q)", 2);
   }
+  if (!symbolic::are_together(read)) return template_call(space + "::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const int first = read.front(), count = read.back() - first + 1;
-  // Consecutive joints are computed together; a few unused ones in between do no harm.
-  if (count > 2 * static_cast<int>(read.size()))
-    return template_call(space + "::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const auto from = [&](const std::string& array) {
     return first == 0 ? array : array + " + " + std::to_string(first);
   };
@@ -293,7 +291,7 @@ std::string print_joint_trigonometry(const Library& library) {
   }
   angles.outputs.front().rows = static_cast<int>(values.size());
   angles.outputs.front().values = values;
-  std::vector<Parameter> list = lower_values(angles).parameters;
+  std::vector<KernelArray> list = lower_values(angles).parameters;
   list.back() = {"sin_q", true, library.trigonometry->angle_count > 0};
   list.push_back({"cos_q", true, library.trigonometry->angle_count > 0});
   const std::string body = sines_and_cosines(library, turning, angles, "robcogen") + rest;

@@ -59,8 +59,8 @@ std::vector<std::string> titled(const std::string& name, std::vector<std::string
 
 }  // namespace
 
-std::string first_line(const Callable& callable) {
-  return titled(callable.name, summary(callable)).front();
+std::string first_line(const OverloadedFunction& overloaded) {
+  return titled(overloaded.name, summary(overloaded)).front();
 }
 
 std::string heading(const std::string& name, const std::vector<std::string>& summary) {
@@ -101,11 +101,11 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
   return text.empty() ? "" : comment("Arguments:") + text;
 }
 
-std::string help(const Library& library, const Callable& callable, const Kernel& kernel) {
-  const Function& function = callable.longest();
+std::string help(const Library& library, const OverloadedFunction& overloaded, const Kernel& kernel) {
+  const Function& function = overloaded.longest();
   const std::string remark = remark_on_positions(function.program);
-  return heading(callable.name, summary(callable)) +
-         describe_arguments(function.program.inputs, kernel, required_inputs(library, callable)) +
+  return heading(overloaded.name, summary(overloaded)) +
+         describe_arguments(function.program.inputs, kernel, required_inputs(library, overloaded)) +
          (remark.empty() ? "" : comment(remark)) + results(library, function) +
          comment(describe_operations(library, function));
 }

@@ -1,19 +1,46 @@
 // The structs of constants and of parameters, and the overview of a package.
 #include <algorithm>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "backend/common/constants.h"
 #include "backend/matlab/dialect.h"
 #include "backend/matlab/printers.h"
-#include "support/index.h"
 
 namespace robcogen::backend::matlab {
 namespace {
 
-template <class Items, class Text>
-std::vector<std::string> texts(const Items& items, Text text) {
+using Item = std::vector<Constant>;
+using Items = std::vector<Item>;
+
+// The member of this name, or that of a record in the item; nullptr if there is none.
+const Constant* find(const Item& item, const std::string& name) {
+  for (const Constant& member : item) {
+    if (member.name == name) return &member;
+    if (const auto* record = std::get_if<Record>(&member.value))
+      for (const Item& row : *record)
+        if (const Constant* const found = find(row, name)) return found;
+  }
+  return nullptr;
+}
+
+std::string one_based(int index) {
+  return std::to_string(index + 1);
+}
+
+// The members of this name, one per item. Numbers that an item does not have are zero.
+std::vector<std::string> texts(const Items& items, const std::string& member) {
   std::vector<std::string> result;
-  for (const auto& item : items) result.push_back(text(item));
+  for (const Item& item : items) {
+    const Constant* const found = find(item, member);
+    const auto* const text = found ? std::get_if<std::string>(&found->value) : nullptr;
+    const auto* const index = found ? std::get_if<int>(&found->value) : nullptr;
+    result.push_back(
+        text    ? quoted(*text)
+        : index ? one_based(*index)
+                : number(found ? std::get<double>(found->value) : 0.0));
+  }
   return result;
 }
 
@@ -28,139 +55,97 @@ std::string column(const std::string& field, const std::vector<std::string>& ite
 // `model.<field> = {'a'; 'b'};`
 std::string names(const std::string& field, const std::vector<std::string>& items) {
   if (items.empty()) return "  model." + field + " = cell(0, 1);\n";
-  return wrapped("  model." + field + " = {", texts(items, quoted), "};", ";");
+  return wrapped("  model." + field + " = {", items, "};", ";");
 }
 
-// `model.<field> = […];`, one column per item.
-template <class Items, class Column>
-std::string columns(const std::string& field, const Items& items, std::size_t rows, Column column) {
+// `model.<field> = […];`: these members below one another, one column per item.
+std::string columns(
+    const std::string& field,
+    const Items& items,
+    std::size_t rows,
+    const std::vector<std::string>& members) {
   if (items.empty()) return "  model." + field + " = zeros(" + std::to_string(rows) + ", 0);\n";
   std::vector<std::vector<std::string>> cells(rows);
-  for (const auto& item : items) {
-    const auto numbers = column(item);
+  for (const Item& item : items) {
+    std::vector<double> numbers;
+    for (const std::string& member : members)
+      if (const Constant* const found = find(item, member))
+        for (const double value : std::get<std::vector<double>>(found->value)) numbers.push_back(value);
+    numbers.resize(rows);
     for (std::size_t r = 0; r < rows; ++r) cells[r].push_back(number(numbers[r]));
   }
   return matrix("model." + field, cells);
 }
 
-std::string one_based(int index) {
-  return std::to_string(index + 1);
+// Whether each joint is of this type.
+std::string type_field(const std::string& field, const Items& joints, const std::string& type) {
+  std::vector<std::string> flags = texts(joints, "type");
+  for (std::string& flag : flags) flag = flag == quoted(type) ? "true" : "false";
+  return column(field, flags);
 }
 
-std::string frame_fields(const model::KinematicTree& tree, const model::DefaultValues& value) {
-  const std::vector<model::Frame> frames = tree.frames();
-  std::string text = names("frames", model::frame_names(tree));
-  text += column("frame_link", texts(frames, [&](const auto& f) { return one_based(tree.link_of(f)); }));
-  text +=
-      columns("frame_translation", frames, 3, [&](const auto& f) { return value(tree.placement_of(f).translation); });
-  return text +
-         columns("frame_rotation", frames, 3, [&](const auto& f) { return value(tree.placement_of(f).rotation); });
+// A field of a list: its name, and that of the member of its items.
+using FieldNames = std::pair<const char*, const char*>;
+
+std::string joint_fields(const Library& library, const Items& joints, const std::string& prefix = "") {
+  std::string text = names(prefix + "joints", texts(joints, "name"));
+  text += type_field(prefix + "is_revolute", joints, "revolute");
+  for (const auto& [field, member] :
+       {FieldNames("parent_link", "parent"), FieldNames("child_link", "child"), FieldNames("lower_limit", "lower"),
+        FieldNames("upper_limit", "upper"), FieldNames("velocity_limit", "velocity"),
+        FieldNames("effort_limit", "effort")})
+    text += column(prefix + field, texts(joints, member));
+  text += columns(prefix + "joint_translation", joints, 3, {"translation"});
+  text += columns(prefix + "joint_rotation", joints, 3, {"rotation"});
+  if (library.tree.has_drives()) {
+    for (const std::string field : model::kDriveNumbers) text += column(prefix + field, texts(joints, field));
+    text += columns(prefix + "rotor_axis", joints, 3, {"rotor_axis"});
+    text += column(prefix + "rotor_carrier", texts(joints, "rotor_carrier"));
+  }
+  if (!library.tree.has_pitches()) return text;
+  return text + type_field(prefix + "is_helical", joints, "helical") + column(prefix + "pitch", texts(joints, "pitch"));
 }
 
-std::string link_fields(const model::KinematicTree& tree, const model::DefaultValues& value) {
-  std::vector<model::MassProperties> links;
-  for (std::size_t l = 0; l < at(tree.link_count()); ++l) links.push_back(model::mass_properties(tree.links[l], value));
-  std::string text = names("links", model::link_names(tree));
-  text += column("parent_joint", texts(model::carrying_joints(tree), one_based));
-  text += column("mass", texts(links, [](const auto& l) { return number(l.mass); }));
-  text += columns("com", links, 3, [](const auto& l) { return l.com; });
-  return text + columns("inertia", links, 6, [](const auto& l) { return l.inertia; });
-}
-
-// The fields of some joints of a robot. Their names start with `prefix`.
-class JointFields {
- public:
-  JointFields(const Library& library, std::vector<int> joints, std::string prefix)
-      : tree_(library.tree), value_(library.tree.parameters), joints_(std::move(joints)), prefix_(std::move(prefix)) {}
-
-  std::string all() const {
-    return of_joints() + (tree_.has_drives() ? of_drives() : "") + (tree_.has_pitches() ? of_pitches() : "");
-  }
-
-  // Whether each joint is of this type.
-  std::string type_field(const std::string& name, model::JointType type) const {
-    return field(name, [&](const model::Joint& j) { return std::string(j.type == type ? "true" : "false"); });
-  }
-
- private:
-  template <class Text>
-  std::string field(const std::string& name, Text text) const {
-    return column(prefix_ + name, texts(joints_, [&](int j) { return text(tree_.joints[at(j)]); }));
-  }
-  template <class Numbers>
-  std::string numbers(const std::string& name, Numbers numbers) const {
-    return columns(prefix_ + name, joints_, 3, numbers);
-  }
-
-  std::string of_joints() const {
-    std::string text = names(prefix_ + "joints", model::names_of(tree_, joints_));
-    text += type_field("is_revolute", model::JointType::revolute);
-    text +=
-        column(prefix_ + "parent_link", texts(joints_, [&](int j) { return one_based(model::parent_link(tree_, j)); }));
-    text +=
-        column(prefix_ + "child_link", texts(joints_, [&](int j) { return one_based(model::child_link(tree_, j)); }));
-    text += field("lower_limit", [](const model::Joint& j) { return number(j.limits.lower); });
-    text += field("upper_limit", [](const model::Joint& j) { return number(j.limits.upper); });
-    text += field("velocity_limit", [](const model::Joint& j) { return number(j.limits.velocity); });
-    text += field("effort_limit", [](const model::Joint& j) { return number(j.limits.effort); });
-    const auto placement = [&](int j) -> const model::Placement& { return model::placement_of_joint(tree_, j); };
-    text += numbers("joint_translation", [&](int j) { return value_(placement(j).translation); });
-    return text + numbers("joint_rotation", [&](int j) { return value_(placement(j).rotation); });
-  }
-
-  // The fields of robots with drives.
-  std::string of_drives() const {
-    std::string text;
-    for (std::size_t k = 0; k < model::kDriveNumbers.size(); ++k)
-      text += field(
-          model::kDriveNumbers[k], [&](const model::Joint& j) { return number(model::drive_numbers(j, value_)[k]); });
-    text += numbers("rotor_axis", [&](int j) { return model::rotor_axis(tree_.joints[at(j)], value_); });
-    return text + field("rotor_carrier", [](const model::Joint& j) { return one_based(model::rotor_carrier(j)); });
-  }
-
-  // The fields of robots with helical joints.
-  std::string of_pitches() const {
-    return type_field("is_helical", model::JointType::helical) +
-           field("pitch", [&](const model::Joint& j) { return number(value_(j.pitch)); });
-  }
-
-  const model::KinematicTree& tree_;
-  model::DefaultValues value_;
-  std::vector<int> joints_;
-  std::string prefix_;
-};
-
-std::string coupling_fields(const Library& library) {
-  const model::KinematicTree& tree = library.tree;
-  if (tree.couplings.empty()) return "";
-  const model::DefaultValues value(tree.parameters);
+std::string coupling_fields(const Library& library, const Items& coupled) {
+  if (coupled.empty()) return "";
   std::vector<std::vector<std::string>> factors;
-  std::vector<std::string> offsets;
-  for (const model::Coupling& coupling : tree.couplings) {
-    const model::CouplingNumbers numbers = model::coupling_numbers(tree, coupling, value);
-    factors.push_back(texts(numbers.factors, [](double factor) { return number(factor); }));
-    offsets.push_back(number(numbers.offset));
+  for (const Item& joint : coupled) {
+    factors.emplace_back();
+    for (const double factor : std::get<std::vector<double>>(find(joint, "factors")->value))
+      factors.back().push_back(number(factor));
   }
-  return "\n" + JointFields(library, model::dependent_joints(tree), "coupled_").all() +
-         (tree.dof() == 0 ? "  model.coupling_factors = zeros(" + std::to_string(factors.size()) + ", 0);\n"
-                          : matrix("model.coupling_factors", factors)) +
-         column("coupling_offsets", offsets);
+  return "\n" + joint_fields(library, coupled, "coupled_") +
+         (library.tree.dof() == 0 ? "  model.coupling_factors = zeros(" + std::to_string(coupled.size()) + ", 0);\n"
+                                  : matrix("model.coupling_factors", factors)) +
+         column("coupling_offsets", texts(coupled, "offset"));
 }
 
-std::string limb_fields(const std::vector<model::Limb>& limbs) {
+std::string link_fields(const Items& links) {
+  return names("links", texts(links, "name")) + column("parent_joint", texts(links, "parent_joint")) +
+         column("mass", texts(links, "mass")) + columns("com", links, 3, {"com"}) +
+         columns("inertia", links, 6, {"moments", "products"});
+}
+
+std::string frame_fields(const Items& frames) {
+  return names("frames", texts(frames, "name")) + column("frame_link", texts(frames, "link")) +
+         columns("frame_translation", frames, 3, {"translation"}) + columns("frame_rotation", frames, 3, {"rotation"});
+}
+
+std::string limb_fields(const Items& limbs) {
   std::string text;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     const std::string field = "limbs(" + std::to_string(i + 1) + ").", limb = "  model." + field;
-    const model::Limb& l = limbs[i];
-    text += limb + "name = " + quoted(l.name) + ";\n" + limb + "part = " + quoted(l.part) + ";\n";
-    text += limb + "first_link = " + one_based(l.first_link) + ";\n";
-    const auto elements = [&](const std::string& what, const std::vector<model::Limb::Element>& list) {
-      text += column(field + what + "s", texts(list, [](const auto& e) { return one_based(e.index); }));
-      text += names(field + what + "_names", texts(list, [](const auto& e) { return e.own; }));
-    };
-    elements("link", l.links);
-    elements("joint", l.joints);
-    elements("frame", l.frames);
+    for (const std::string member : {"name", "part", "first_link"})
+      text += limb + member + " = " + texts({limbs[i]}, member).front() + ";\n";
+    for (const std::string what : {"link", "joint", "frame"}) {
+      std::vector<std::string> own, indices;
+      for (const Item& row : std::get<Record>(find(limbs[i], what + "s")->value))
+        for (const Constant& element : row) {
+          own.push_back(quoted(element.name));
+          indices.push_back(one_based(std::get<int>(element.value)));
+        }
+      text += column(field + what + "s", indices) + names(field + what + "_names", own);
+    }
   }
   return text;
 }
@@ -220,14 +205,18 @@ std::string print_model(const Library& library) {
   text += "\n" + origin(library) + "\n";
   text += "  model.name = " + quoted(library.title()) + ";\n";
   text += "  model.dof = " + std::to_string(tree.dof()) + ";\n";
-  if (model::has_own_positions(tree)) text += names("positions", model::position_names(tree));
+  if (model::has_own_positions(tree)) {
+    std::vector<std::string> positions = model::position_names(tree);
+    for (std::string& name : positions) name = matlab::quoted(name);
+    text += names("positions", positions);
+  }
   text += std::string("  model.floating_base = ") + (tree.floating_base ? "true" : "false") + ";\n";
-  const JointFields joints(library, tree.coordinates(), "");
-  const model::DefaultValues value(tree.parameters);
-  text += "\n" + joints.all();
-  if (has_spherical_joints) text += joints.type_field("is_spherical", model::JointType::spherical);
-  text += coupling_fields(library) + "\n" + link_fields(tree, value) + "\n" + frame_fields(tree, value);
-  if (!tree.limbs.empty()) text += "\n" + limb_fields(model::listed_limbs(tree));
+  const std::vector<ConstantList> lists = constants(library);
+  const auto& [joints, coupled, links, frames, limbs] = std::tie(lists[0], lists[1], lists[2], lists[3], lists[4]);
+  text += "\n" + joint_fields(library, joints.items);
+  if (has_spherical_joints) text += type_field("is_spherical", joints.items, "spherical");
+  text += coupling_fields(library, coupled.items) + "\n" + link_fields(links.items) + "\n" + frame_fields(frames.items);
+  if (!limbs.items.empty()) text += "\n" + limb_fields(limbs.items);
   return text + "end\n";
 }
 
@@ -242,7 +231,7 @@ std::string print_parameters(const Library& library) {
   return text + "end\n";
 }
 
-std::string print_contents(const Library& library, const std::vector<Callable>& callables) {
+std::string print_contents(const Library& library, const std::vector<OverloadedFunction>& functions) {
   const std::string what = library.has_robot() ? "robot " : "model ";
   std::string text = comment("Functions of " + what + library.title() + ".") + "%\n";
   const auto entry = [&](const std::string& name, const std::string& line) {
@@ -253,15 +242,15 @@ std::string print_contents(const Library& library, const std::vector<Callable>& 
   if (!library.parameters().empty())
     entry(top + "parameters", "Values of the parameters as the document declares them.");
   std::vector<std::string> scopes;
-  for (const Callable& callable : callables) {
-    if (callable.scope.empty()) entry(top + callable.name, first_line(callable));
-    if (std::find(scopes.begin(), scopes.end(), callable.scope) == scopes.end()) scopes.push_back(callable.scope);
+  for (const OverloadedFunction& overloaded : functions) {
+    if (overloaded.scope.empty()) entry(top + overloaded.name, first_line(overloaded));
+    if (std::find(scopes.begin(), scopes.end(), overloaded.scope) == scopes.end()) scopes.push_back(overloaded.scope);
   }
   for (const std::string& scope : scopes) {
     if (scope.empty()) continue;
     text += "%\n" + comment("In package " + dotted(library, scope, ":"));
-    for (const Callable& callable : callables)
-      if (callable.scope == scope) text += comment("  " + callable.name);
+    for (const OverloadedFunction& overloaded : functions)
+      if (overloaded.scope == scope) text += comment("  " + overloaded.name);
   }
   return text + "\n" + origin(library);
 }

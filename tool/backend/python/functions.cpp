@@ -172,7 +172,7 @@ std::vector<Function> functions(const cpp::Api& api) {
     });
     const backend::Function& longest = *f.overloads.back()->function;
     const symbolic::Program& program = longest.program;
-    const std::vector<Parameter>& names = f.overloads.back()->parameters;
+    const std::vector<KernelArray>& names = f.overloads.back()->parameters;
     for (std::size_t i = 0; i < program.inputs.size(); ++i)
       f.arguments.push_back(argument(api, program.inputs[i], names[i].name));
     for (std::size_t i = 0; i < program.outputs.size(); ++i)
