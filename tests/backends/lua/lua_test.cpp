@@ -33,8 +33,8 @@ TEST(Lua, PrintsAFunctionOfALibrary) {
       "\n"
       "  -- link knee: velocity\n"
       "  local end_ = hip_w - 0.5\n"
-      "  local tau_1 = end_ * end_\n"
-      "  return {tau_1, hip_w}\n"
+      "  local square = end_ * end_\n"
+      "  return {square, hip_w}\n"
       "end\n"
       "\n"
       "return M\n");
