@@ -23,7 +23,7 @@ using ProductData = symbolic::Product;
 using PrimitiveData = symbolic::Product::Primitive;
 using symbolic::Function;
 
-// Which functions loop over right-hand sides: Function::solved, Library::stages.
+// Which functions loop over right-hand sides: Function::solved, Library::right_sides.
 enum class ColumnLoops {
   none,       // all code is written out
   if_long,    // functions that are too long without the loop
@@ -50,7 +50,7 @@ struct Library {
   std::vector<model::ContactFrame> contacts = {};  // only if the library has contact functions
   std::vector<std::string> groups;                 // the groups that were asked for, in canonical order
   std::vector<Function> functions;
-  std::vector<Function> stages = {};  // called by functions that have Function::solved
+  std::vector<Function> right_sides = {};  // called by functions that have Function::solved
   // For robots with parameters, in languages that cache the values that depend on parameters alone (`functions` then
   // read the cache as their parameters). Each update computes one part of the cache from the parameters: the values
   // that depend on kinematics parameters alone, on dynamics parameters alone, and on both. The parts follow one

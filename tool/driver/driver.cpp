@@ -26,7 +26,7 @@ namespace {
 void choose_kernels(backend::Library& library) {
   std::vector<symbolic::Function*> all;
   for (std::vector<symbolic::Function>* list :
-       {&library.functions, &library.stages, &library.updates, &library.numbers})
+       {&library.functions, &library.right_sides, &library.updates, &library.numbers})
     for (symbolic::Function& f : *list) all.push_back(&f);
   if (library.trigonometry) all.push_back(&library.trigonometry->addition);
   for_each_index(all.size(), [&](std::size_t i) {

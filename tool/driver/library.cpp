@@ -106,7 +106,7 @@ backend::Library assemble(
   }
   const std::vector<std::string> frames = result.frames();
   for (Function& f : functions.list)
-    (f.is_stage ? result.stages : result.functions)
+    (f.is_stage ? result.right_sides : result.functions)
         .push_back(library_function(model, frames, std::move(f), primitives));
   result.updates = std::move(functions.updates);
   result.numbers = std::move(functions.numbers);

@@ -18,8 +18,9 @@ using symbolic::Role;
 // measurable there. All other cores are compiled once.
 constexpr int kSmallCore = 64;
 
-// Kernels of the kinematics are many. They call functions for their sines and for their cores, however short, and so
-// compile in half the time. The calls hardly show where sines take more than one vector, which has this many lanes.
+// The number of lanes of a vector. A robot has dozens of kernels of the kinematics. One that reads more sines than fit
+// in a vector calls functions for its sines and for its core, however short the core is: compiling it then takes half
+// the time, and the calls take little of the time of the sines.
 constexpr std::size_t kInVector = 4;
 
 // The largest number of instructions of a kernel in lanes that computes its own sines. Passing them to a core, from an

@@ -51,8 +51,8 @@ struct Function {
   // Set for languages with vectors too: what kernels these programs become.
   KernelForm form = {};
   // The same with a loop over right-hand sides, where the program is long and the language wants one: the function then
-  // calls the stage that has the name of `right_sides`, whose last output is `factor`, and solves. `program` has inputs
-  // and outputs only.
+  // calls the function that has the name of `right_sides`, whose last output is `factor`, and solves. `program` has
+  // inputs and outputs only.
   std::optional<SolvedColumns> solved = {};
   // Set for homogeneous transforms, where products of primitives are asked for: the product in their convention.
   std::optional<Product> product = {};

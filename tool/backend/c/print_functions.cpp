@@ -82,15 +82,15 @@ std::string print_column_solver(const Names& names, const Function& solution, co
 
 // Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Names& names, const NamedFunction& c, const Precision& precision) {
-  const Function& stage = right_sides(names.library, *c.function);
+  const Function& sides = right_sides(names.library, *c.function);
   const std::vector<KernelArray> list = parameters(c.function->program, dialect(precision, c.reads_cache));
-  const std::string right = private_name(names, stage.kernel, precision), factor = stage.program.outputs.back().name;
+  const std::string right = private_name(names, sides.kernel, precision), factor = sides.program.outputs.back().name;
   std::vector<std::string> arguments = names_of(list);
   arguments.push_back(factor);
-  std::string text = comment(stage.summary.front()) +
-                     definition(names, {&stage, {}, {}, c.reads_cache}, "static void " + right, precision) + "\n" +
+  std::string text = comment(sides.summary.front()) +
+                     definition(names, {&sides, {}, {}, c.reads_cache}, "static void " + right, precision) + "\n" +
                      signature(names, c, "void " + c.name_in(precision), list, precision, " {") + "  " +
-                     precision.scalar + " " + factor + "[" + std::to_string(stage.program.outputs.back().rows) +
+                     precision.scalar + " " + factor + "[" + std::to_string(sides.program.outputs.back().rows) +
                      "];\n" + wrapped("  " + right + "(", arguments, ");");
   for (const symbolic::SolvedColumns::Block& block : c.function->solved->blocks) {
     const std::string& array = list[c.function->program.inputs.size() + at(block.output)].name;

@@ -243,7 +243,7 @@ Api api(const Library& library) {
     const std::string columns = is_listed ? taken[f.scope].claim(name + "_columns") : "";
     result.callables.push_back(callable(f, kernel_names[i], name, columns, owner(f.program)));
   }
-  for (const Function& f : library.stages) result.stages.push_back(callable(f, f.kernel, f.name));
+  for (const Function& f : library.right_sides) result.right_sides.push_back(callable(f, f.kernel, f.name));
   if (!library.updates.empty()) name_parameters(library, result);
   for (const Function& f : library.updates) result.updates.push_back(callable(f, f.kernel, f.name));
   for (const Function& f : library.numbers) result.numbers.push_back(callable(f, f.kernel, f.name));

@@ -37,7 +37,7 @@ struct Api {
   std::vector<std::string> variables;                                         // names of arguments
   std::vector<std::string> parameters;                                        // members of Parameters
   std::vector<Callable> callables;                                            // in the order of Library::functions
-  std::vector<Callable> stages;                                               // called by callables, in no interface
+  std::vector<Callable> right_sides;                                          // called by callables, in no interface
   // For robots with parameters, whose functions take these first.
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;

@@ -11,7 +11,7 @@ std::string qualified(const CompiledKernel& kernel) {
 
 std::vector<const Callable*> kernels_of(const Api& api, const std::string& group) {
   std::vector<const Callable*> result;
-  for (const Callable& c : api.stages)
+  for (const Callable& c : api.right_sides)
     if (c.function->group == group) result.push_back(&c);
   const std::vector<const Callable*> others = callables_of(api, group);
   result.insert(result.end(), others.begin(), others.end());

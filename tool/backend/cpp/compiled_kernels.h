@@ -25,7 +25,7 @@ std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& 
 // The functions of a group in their order; `parameters` and `trigonometry` are groups too.
 std::vector<const Callable*> callables_of(const Api& api, const std::string& group);
 
-// The same functions, preceded by the stages that they call.
+// The same functions, preceded by those of right-hand sides that they call.
 std::vector<const Callable*> kernels_of(const Api& api, const std::string& group);
 
 // The parameters of joint_trigonometry.

@@ -229,7 +229,7 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
       comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
 }
 
-// A kernel that calls a stage for the right-hand sides, and solves for them column by column.
+// A kernel that calls a function of the right-hand sides, and solves for them column by column.
 std::string print_solver(const Callable& callable) {
   return summary(callable) + signature("void " + callable.kernel, callable.parameters, " noexcept {") +
          solve_columns(callable) + "}\n";

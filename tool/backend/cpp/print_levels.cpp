@@ -46,7 +46,7 @@ std::string own_kernels(const Api& api, const std::vector<std::string>& groups) 
 std::string includes_of_kernels(const Api& api, const std::vector<std::string>& more) {
   std::vector<std::string> headers = {
       "\"robcogen/lane_blocks.h\"", "\"robcogen/level.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
-  if (!api.stages.empty()) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
+  if (!api.right_sides.empty()) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
   headers.insert(headers.end(), more.begin(), more.end());
   return paragraphs({includes({"<cmath>"}), includes(headers)});
 }

@@ -221,14 +221,14 @@ std::string print_column_loop(const Library& library, const OverloadedFunction& 
   const Function& function = overloaded.longest();
   const Kernel kernel = without_lines(function, dialect());
   std::string text;
-  const Function& stage = right_sides(library, function);
-  const std::string right = print_private(stage, text);
+  const Function& sides = right_sides(library, function);
+  const std::string right = print_private(sides, text);
   const std::string solution = print_private(column_solution(*function.solved), text);
   text += documentation(library, overloaded, kernel) +
           signature(overloaded, function.program, kernel, required_inputs(library, overloaded)) +
           checks(whole_name(overloaded), function.program, kernel.parameters) +
           wrapped(
-              "  const { " + stage.program.outputs.back().name + ": $factor, ...$results } = " + right + "(",
+              "  const { " + sides.program.outputs.back().name + ": $factor, ...$results } = " + right + "(",
               input_names(function.program, kernel), ");");
   for (const symbolic::SolvedColumns::Block& block : function.solved->blocks)
     text += "  $solve($results." + function.program.outputs[at(block.output)].name + ", " +

@@ -63,10 +63,10 @@ std::string print_local(const Function& function, const std::string& name) {
 
 // Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Library& library, const OverloadedFunction& overloaded) {
-  const Function &function = overloaded.longest(), &stage = right_sides(library, function);
+  const Function &function = overloaded.longest(), &sides = right_sides(library, function);
   const Program& program = function.program;
   const Kernel kernel = without_lines(function, dialect());
-  const std::string factor = parameters(stage.program, dialect()).back().name;
+  const std::string factor = parameters(sides.program, dialect()).back().name;
   std::vector<std::string> arguments, values;
   for (const KernelArray& p : kernel.parameters) (p.output ? values : arguments).push_back(p.name);
   values.push_back(factor);
@@ -80,7 +80,7 @@ std::string print_column_loop(const Library& library, const OverloadedFunction& 
   const std::string checks = print_checks(
       whole_name(library, overloaded.scope, overloaded), program.inputs, kernel, required_inputs(library, overloaded));
   return signature(program, kernel, overloaded.name) + help(library, overloaded, kernel) + "\n" +
-         blocks({origin(library), checks, loops}) + "end\n" + print_local(stage, "right_sides") +
+         blocks({origin(library), checks, loops}) + "end\n" + print_local(sides, "right_sides") +
          print_local(column_solution(*function.solved), "solution");
 }
 

@@ -177,14 +177,14 @@ std::string print_column_solver(const Function& solution, const std::string& pre
 
 // Prints a function that computes right-hand sides and replaces them by the solutions.
 std::string print_column_loop(const Library& library, const Function& f, const std::string& prefix) {
-  const Function& stage = right_sides(library, f);
+  const Function& sides = right_sides(library, f);
   const Kernel kernel = without_lines(f, dialect());
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i) arguments.push_back(kernel.parameters[i].name);
   const std::string list = "(" + joined(arguments) + ")";
-  std::string text = "\n" + comment(stage.summary) + definition(prefix + stage.kernel, stage) + "\n" +
+  std::string text = "\n" + comment(sides.summary) + definition(prefix + sides.kernel, sides) + "\n" +
                      comment(documentation(library, f, kernel)) + wrapped(prefix + f.kernel + list + " := block(", "") +
-                     "  [results, factor],\n" + wrapped("results: " + prefix + stage.kernel + list + ",", "  ") +
+                     "  [results, factor],\n" + wrapped("results: " + prefix + sides.kernel + list + ",", "  ") +
                      "  factor: last(results),\n";
   for (const symbolic::SolvedColumns::Block& block : f.solved->blocks) {
     const std::string place = "results[" + std::to_string(block.output + 1) + "]";
