@@ -43,7 +43,7 @@ Arrays<double> random_inputs(const backend::Library& library, const Program& pro
   for (const symbolic::InputArray& array : program.inputs) {
     std::vector<double>& values = inputs[array.name];
     for (std::size_t k = 0; k < array.elements.size(); ++k) {
-      const bool is_near = !library.loops.empty() && array.role == symbolic::Role::joint_position;
+      const bool is_near = !library.tree.loops.empty() && array.role == symbolic::Role::joint_position;
       const double value = reference::uniform(engine, is_near ? kNear : kLimit);
       values.push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
     }

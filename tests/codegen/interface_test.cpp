@@ -92,12 +92,12 @@ TEST(Interface, TakesExpressions) {
 
 TEST(Interface, ConstantsOfTheModel) {
   using namespace cart_pole;
-  static_assert(kDof == 2 && kLinkCount == 3 && kFrameCount == 2 && !kFloatingBase);
-  static_assert(index(Joint::POLE) == 1 && index(Link::base) == 0 && index(Frame::fr_tip) == 1);
+  static_assert(kDof == 2 && kLinkCount == 3 && kFrameCount == 6 && !kFloatingBase);
+  static_assert(index(Joint::POLE) == 1 && index(Link::base) == 0 && index(Frame::fr_tip) == 5);
   static_assert(kJointTypes[0] == JointType::prismatic && kJointTypes[1] == JointType::revolute);
   static_assert(kJointParents[1] == Link::cart && kJointChildren[1] == Link::pole);
   static_assert(kLinkParentJoints[0] == -1 && kLinkParentJoints[2] == index(Joint::POLE));
-  static_assert(kFrameLinks[1] == Link::pole);
+  static_assert(kFrameLinks[5] == Link::pole);
   static_assert(cart_pole::Robot::kDof == 2 && Robot::kFloatingBase && Robot::kLinkCount == 2);
   static_assert(kJointLimits[0].lower == -0.1 && kJointLimits[0].upper == 2.5 && kJointLimits[0].velocity == 3);
   static_assert(kJointLimits[0].effort == kUnlimited && cart_pole::Robot::kJointLimits[1].lower == -kUnlimited);
@@ -146,8 +146,8 @@ TEST(Reflection, TablesHoldTheModel) {
   ASSERT_EQ(r.joints.size, 2);
   EXPECT_EQ(r.joints[0].type, robcogen::JointType::prismatic);
   EXPECT_EQ(r.joints[1].child, 2);
-  ASSERT_EQ(r.frames.size, 2);
-  EXPECT_EQ(r.frames[1].translation[2], -0.7);
+  ASSERT_EQ(r.frames.size, 6);
+  EXPECT_EQ(r.frames[5].translation[2], -0.7);
 }
 
 TEST(Reflection, TablesCallTheKernels) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "../unit/model/trees.h"
 #include "symbolic/expression.h"
 
 namespace robcogen::test {
@@ -12,6 +13,11 @@ namespace {
 
 using backend::Function;
 using backend::Library;
+using model::JointType;
+using model::test::add_frame;
+using model::test::add_link;
+using model::test::body;
+using model::test::only_base;
 using symbolic::Expression;
 using symbolic::Role;
 
@@ -66,26 +72,23 @@ Function function(
   return f;
 }
 
-Library library(const std::string& name, bool floating_base) {
+Library library(const std::string& name, const std::string& base, bool floating_base = false) {
   Library result;
   result.name = name;
-  result.robot = name;
   result.model_file = name + ".kindsl";
   result.model_hash = "0123456789abcdef";
   result.generator_version = "0";
-  result.floating_base = floating_base;
+  result.tree = only_base(name, base, floating_base);
   return result;
 }
 
 Names joint_names(const Library& library) {
-  Names names;
-  for (const backend::JointData& joint : library.joints) names.push_back(joint.name);
-  return names;
+  return model::names_of(library.tree, library.tree.coordinates());
 }
 
 Names wrench_names(const Library& library) {
   Names names;
-  for (const backend::LinkData& link : library.links)
+  for (const model::Link& link : library.tree.links)
     for (const char* element : {"nx", "ny", "nz", "fx", "fy", "fz"}) names.push_back(link.name + "_" + element);
   return names;
 }
@@ -94,6 +97,7 @@ Names wrench_names(const Library& library) {
 // Cart and pole
 
 constexpr double kCart = 1.5, kPole = 0.4;              // kg
+constexpr int kTip = 5;                                 // the frame fr_tip
 constexpr double kLength = 0.7, kPoleInertia = 0.0317;  // m to the centre of mass, kg m^2 about it
 
 struct CartPole {
@@ -200,7 +204,7 @@ Function tip_transform(const std::string& form, Role role) {
   p.sketch.output("X", role, static_cast<int>(size), static_cast<int>(size), values);
   Function f = function("transforms", "transforms::" + form, "fr_base_X_fr_tip", form + "_fr_base_X_fr_tip", p.sketch);
   f.left_frame = 0;
-  f.right_frame = 1;
+  f.right_frame = kTip;
   return f;
 }
 
@@ -215,7 +219,7 @@ Function tip_jacobian(bool empty) {
   const std::string name = empty ? "fr_base_J_fr_base" : "fr_base_J_fr_tip";
   Function f = function("jacobians", "jacobians", name, name, p.sketch);
   f.left_frame = 0;
-  f.right_frame = empty ? 0 : 1;
+  f.right_frame = empty ? 0 : kTip;
   if (!empty) f.columns = {0, 1};
   return f;
 }
@@ -251,7 +255,7 @@ Function mixed_function(
     const std::vector<Array>& inputs,
     const std::vector<Array>& outputs) {
   Sketch sketch;
-  const int n = static_cast<int>(library.joints.size());
+  const int n = library.tree.dof();
   Values all;
   for (const Array& input : inputs) {
     const Names elements = input.role == Role::gravity         ? kAxes
@@ -265,7 +269,7 @@ Function mixed_function(
   for (const Array& output : outputs) {
     const bool matrix = output.role == Role::inertia_matrix || output.role == Role::inertia_factor;
     const bool base = output.role == Role::base_wrench || output.role == Role::base_acceleration;
-    const int rows = matrix ? n + (library.floating_base ? 6 : 0) : base ? 6 : n;
+    const int rows = matrix ? n + (library.tree.floating_base ? 6 : 0) : base ? 6 : n;
     const int columns = matrix ? rows : 1;
     sketch.output(output.name, output.role, rows, columns, mixture(sketch, all, rows * columns));
   }
@@ -313,12 +317,12 @@ std::vector<Function> cart_pole_factor() {
 }  // namespace
 
 Library cart_pole() {
-  Library result = library("cart_pole", false);
-  result.links = {{"base", -1}, {"cart", 0, kCart}, {"pole", 1, kPole, {0, 0, -kLength}}};
-  result.links[2].inertia = {1.0 / 3, 1.0 / 7, 1.0 / 11, -1e-5 / 3, 1e-5 / 7, -1e-5 / 13};
-  result.joints = {{"CART", backend::JointType::prismatic, 0, 1}, {"POLE", backend::JointType::revolute, 1, 2}};
-  result.joints[0].limits = {-0.1, 2.5, 3, std::numeric_limits<double>::infinity()};
-  result.frames = {{"fr_base", 0}, {"fr_tip", 2, {0, 0, -kLength}}};
+  Library result = library("cart_pole", "base");
+  const std::array<double, 6> pole = {1.0 / 3, 1.0 / 7, 1.0 / 11, -1e-5 / 3, 1e-5 / 7, -1e-5 / 13};
+  add_link(result.tree, "CART", JointType::prismatic, 0, "cart", body(kCart));
+  add_link(result.tree, "POLE", JointType::revolute, 1, "pole", body(kPole, {0, 0, -kLength}, pole));
+  result.tree.joints[0].limits = {-0.1, 2.5, 3, std::numeric_limits<double>::infinity()};
+  add_frame(result.tree, "fr_tip", 2, model::test::vector(0, 0, -kLength));
   result.groups = kDynamics;
   result.groups.insert(result.groups.end(), {kFactorGroup, "transforms", "jacobians"});
   for (const std::string name : {"inverse_dynamics", "bias_forces", "gravity_forces", "forward_dynamics"})
@@ -345,11 +349,10 @@ Library cart_pole() {
 }
 
 Library hopper() {
-  Library result = library("hopper", true);
+  Library result = library("hopper", "trunk", true);
   result.enclosing = "legs::floating";
-  result.links = {{"trunk", -1, 5.0}, {"leg", 0, 0.5}};
-  result.joints = {{"LEG", backend::JointType::prismatic, 0, 1}};
-  result.frames = {{"fr_trunk", 0}, {"fr_leg", 1}};
+  result.tree.links[0].inertia = body(5.0);
+  add_link(result.tree, "LEG", JointType::prismatic, 0, "leg", body(0.5));
   result.groups = kDynamics;
   const auto add = [&](const std::string& group, const std::string& name, std::vector<Array> inputs,
                        const std::vector<Array>& outputs, bool gravity = true, bool external = true) {
@@ -371,8 +374,7 @@ Library hopper() {
 }
 
 Library plinth() {
-  Library result = library("plinth", false);
-  result.links = {{"base", -1}};
+  Library result = library("plinth", "base");
   result.groups = kDynamics;
   result.groups.push_back(kFactorGroup);
   result.functions = {
@@ -411,8 +413,7 @@ const std::vector<double>& literal_values() {
 }
 
 Library literals() {
-  Library result = library("literals", false);
-  result.links = {{"base", -1}};
+  Library result = library("literals", "base");
   result.groups = {"literals"};
   Sketch sketch;
   Values values;
@@ -423,8 +424,8 @@ Library literals() {
 }
 
 Library nasty() {
-  Library result = library("robot", false);
-  result.robot = "R\"obot\\";
+  Library result = library("robot", "base");
+  result.tree.name = "R\"obot\\";
   result.model_file = "two words \\";
   result.enclosing = "my::robcogen::class";
   const Names names = {
@@ -451,12 +452,10 @@ Library nasty() {
       "min",
       "n",
       "index"};
-  result.links = {{"base", -1}};
   for (const std::string& name : names) {
-    const int j = static_cast<int>(result.joints.size());
-    result.joints.push_back({name, backend::JointType::revolute, j, j + 1});
-    result.links.push_back({name, j});
-    result.frames.push_back({name, j + 1});
+    const int parent = result.tree.dof();
+    add_link(result.tree, name, JointType::revolute, parent, name);
+    add_frame(result.tree, name, parent + 1);
   }
   result.groups = {"inverse_dynamics", "transforms", "jacobians"};
 
@@ -480,8 +479,8 @@ Library nasty() {
     chain.output("J", Role::jacobian, 6, 1, mixture(chain, {x[0]}, 6));
     const auto l = static_cast<std::size_t>(left), r = static_cast<std::size_t>(right);
     Function f = function("jacobians", "jacobians", names[l] + "_J_" + names[r], names[l] + "_J_" + names[r], chain);
-    f.left_frame = left;
-    f.right_frame = right;
+    f.left_frame = model::place_of_frame(result.tree, names[l]);
+    f.right_frame = model::place_of_frame(result.tree, names[r]);
     f.columns = {right};
     result.functions.push_back(std::move(f));
   }

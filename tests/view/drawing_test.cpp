@@ -69,8 +69,8 @@ TEST_P(Drawing, HasEveryJointAndMass) {
   const view::ViewedRobot robot = view::viewed(load_robot(GetParam()), view::Purpose::drawing);
   const std::string text = drawn(GetParam(), false);
   const auto hubs = matches(text, "<circle [^>]*class=\"(hub|sledge|ball)\"");
-  EXPECT_EQ(hubs.size(), robot.library.all_joints().size() - 2 * robot.library.quaternions().size());
-  EXPECT_EQ(matches(text, "class=\"ball\"").size(), robot.library.quaternions().size());
+  EXPECT_EQ(hubs.size(), robot.library.tree.joints.size() - 2 * robot.library.tree.spherical_joints().size());
+  EXPECT_EQ(matches(text, "class=\"ball\"").size(), robot.library.tree.spherical_joints().size());
   const view::Posture posture = view::posture(robot, some_positions(robot), declared_parameters(robot));
   const auto masses = std::count_if(posture.masses.begin(), posture.masses.end(), [](double m) { return m > 0; });
   EXPECT_EQ(matches(text, "<g transform").size(), static_cast<std::size_t>(masses + 1));

@@ -15,19 +15,14 @@ using view::ViewedFrame;
 
 constexpr double kRounding = 1e-13;  // m, for robots of a few metres
 
-template <class Placed>
-Matrix<double> placement(const Placed& placed) {
-  const double t[3] = {placed.translation[0], placed.translation[1], placed.translation[2]};
-  const double r[3] = {placed.rotation[0], placed.rotation[1], placed.rotation[2]};
-  return reference::placement<double>(t, r);
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
 }
 
-// Returns the index of a joint's position in q; for a spherical joint, of the component after the scalar part.
-int element_of(const backend::Library& library, std::size_t joint) {
-  int element = static_cast<int>(joint);
-  for (std::size_t j = 0; j <= joint; ++j)
-    if (library.joints[j].type == backend::JointType::spherical && !library.is_follower(j)) ++element;
-  return element;
+Matrix<double> placement(const model::Placement& placed, const model::KinematicTree& tree) {
+  const model::DefaultValues value(tree.parameters);
+  const std::array<double, 3> t = value(placed.translation), r = value(placed.rotation);
+  return reference::placement<double>({t[0], t[1], t[2]}, {r[0], r[1], r[2]});
 }
 
 // The rotation of a unit quaternion, from its angle and axis by Rodrigues' formula.
@@ -46,20 +41,26 @@ Matrix<double> turn_of(double w, const std::array<double, 3>& vector) {
   return result;
 }
 
-double position(const backend::Library& library, const std::vector<double>& q, std::size_t joint) {
-  if (joint < library.joints.size()) return q[static_cast<std::size_t>(element_of(library, joint))];
-  if (!library.loops.empty()) {
+// The position of a joint that has a single one.
+double position(const backend::Library& library, const std::vector<double>& q, int joint) {
+  const model::KinematicTree& tree = library.tree;
+  const model::Coupling* const coupling = tree.coupling_of(joint);
+  if (coupling == nullptr) return q[index(tree.position_elements()[index(joint)])];
+  if (!tree.loops.empty()) {
+    const std::vector<int> joints = model::independent_joints_first(tree);
+    const auto place = std::find(joints.begin(), joints.end(), joint) - joints.begin();
     for (const backend::Function& f : library.functions) {
       if (f.name != "joint_positions") continue;
       const symbolic::Program& program = f.program;
       return symbolic::interpret<double>(program, {{program.inputs.front().name, q}})
           .at(program.outputs.front().name)
-          .at(joint);
+          .at(static_cast<std::size_t>(place));
     }
   }
-  const backend::CoupledJointData& coupled = library.coupled[joint - library.joints.size()];
-  double sum = coupled.offset;
-  for (std::size_t k = 0; k < q.size(); ++k) sum += coupled.factors[k] * q[k];
+  const model::DefaultValues value(tree.parameters);
+  double sum = value(coupling->offset);
+  for (const model::Coupling::Term& term : coupling->terms)
+    sum += value(term.factor) * position(library, q, term.joint);
   return sum;
 }
 
@@ -71,23 +72,27 @@ void place(
     const Matrix<double>& pose,
     std::vector<Matrix<double>>& links,
     std::vector<Matrix<double>>& joints) {
-  links[static_cast<std::size_t>(link)] = pose;
-  const std::vector<backend::JointData> all = library.all_joints();
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    if (all[j].parent != link) continue;
-    joints[j] = pose * placement(all[j]);
-    if (library.is_follower(j)) continue;
-    if (all[j].type == backend::JointType::spherical) {
-      const auto k = static_cast<std::size_t>(element_of(library, j)) - 1;
-      place(library, q, all[j].child, joints[j] * turn_of(q[k], {q[k + 1], q[k + 2], q[k + 3]}), links, joints);
+  links[index(link)] = pose;
+  const model::KinematicTree& tree = library.tree;
+  const std::vector<int> all = model::independent_joints_first(tree);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const int j = all[k];
+    const model::Joint& joint = tree.joints[index(j)];
+    if (model::parent_link(tree, j) != link) continue;
+    joints[k] = pose * placement(model::placement_of_joint(tree, j), tree);
+    if (!joint.is_first()) continue;
+    const int child = model::child_link(tree, j);
+    if (joint.type == model::JointType::spherical) {
+      const auto w = index(tree.position_elements()[index(j)]) - 1;
+      place(library, q, child, joints[k] * turn_of(q[w], {q[w + 1], q[w + 2], q[w + 3]}), links, joints);
       continue;
     }
     const double value = position(library, q, j);
-    const double turn = backend::turns(all[j].type) ? value : 0;
-    const double slide = all[j].type == backend::JointType::prismatic ? value : all[j].pitch * value;
+    const double turn = model::turns(joint.type) ? value : 0;
+    const double slide = model::DefaultValues(tree.parameters)(model::slide_of(joint)) * value;
     place(
-        library, q, all[j].child, joints[j] * reference::rotation(2, turn) * reference::translation(0.0, 0.0, slide),
-        links, joints);
+        library, q, child, joints[k] * reference::rotation(2, turn) * reference::translation(0.0, 0.0, slide), links,
+        joints);
   }
 }
 
@@ -97,10 +102,10 @@ TEST_P(Posture, IsThatOfProductsOfMatrices) {
   const view::ViewedRobot robot = view::viewed(load_robot(GetParam()), view::Purpose::drawing);
   const std::vector<double> q = some_positions(robot);
   const view::Posture posture = view::posture(robot, q, declared_parameters(robot));
-  const backend::Library& library = robot.library;
-  std::vector<Matrix<double>> links(library.links.size(), Matrix<double>(4, 4));
-  std::vector<Matrix<double>> joints(library.all_joints().size(), Matrix<double>(4, 4));
-  place(library, q, 0, Matrix<double>::identity(4), links, joints);
+  const model::KinematicTree& tree = robot.library.tree;
+  std::vector<Matrix<double>> links(index(tree.link_count()), Matrix<double>(4, 4));
+  std::vector<Matrix<double>> joints(tree.joints.size(), Matrix<double>(4, 4));
+  place(robot.library, q, 0, Matrix<double>::identity(4), links, joints);
   ASSERT_EQ(posture.frames.size(), robot.frames.size());
   for (std::size_t f = 0; f < robot.frames.size(); ++f) {
     const ViewedFrame& frame = robot.frames[f];
@@ -110,8 +115,7 @@ TEST_P(Posture, IsThatOfProductsOfMatrices) {
     } else {
       expected = links[static_cast<std::size_t>(frame.link)];
       if (frame.kind == ViewedFrame::Kind::user)
-        for (const backend::FrameData& data : library.frames)
-          if (data.name == frame.name) expected = expected * placement(data);
+        expected = expected * placement(tree.placement_of(tree.find_frame(frame.name).value()), tree);
     }
     for (int r = 0; r < 4; ++r)
       for (int c = 0; c < 4; ++c)
@@ -120,8 +124,8 @@ TEST_P(Posture, IsThatOfProductsOfMatrices) {
             << frame.name << " " << r << " " << c;
   }
   for (std::size_t l = 0; l < links.size(); ++l) {
-    const auto& com = library.links[l].com;
-    EXPECT_EQ(posture.masses[l], library.links[l].mass);
+    const auto [mass, com, inertia] = model::mass_properties(tree.links[l], model::DefaultValues(tree.parameters));
+    EXPECT_EQ(posture.masses[l], mass);
     const Matrix<double> at = links[l] * reference::translation(com[0], com[1], com[2]);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(posture.centres[l][static_cast<std::size_t>(i)], at(i, 3), kRounding);
   }
@@ -153,7 +157,7 @@ TEST(PostureWithParameters, FollowsThem) {
   const view::ViewedRobot robot = view::viewed(load_robot("hyl_parametric"), view::Purpose::drawing);
   std::vector<double> parameters = declared_parameters(robot);
   const auto at = [&](const std::string& name) {
-    const auto& list = robot.library.parameters;
+    const auto& list = robot.library.tree.parameters;
     return static_cast<std::size_t>(
         std::find_if(list.begin(), list.end(), [&](const auto& p) { return p.name == name; }) - list.begin());
   };

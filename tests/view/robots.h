@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/driver.h"
+#include "model/elements.h"
 #include "view/robot.h"
 
 namespace robcogen::test {
@@ -27,9 +28,9 @@ inline driver::Model load_robot(const std::string& name) {
 // Positions that differ from joint to joint.
 inline std::vector<double> some_positions(const view::ViewedRobot& robot) {
   std::vector<double> q;
-  const std::size_t count = robot.library.position_names().size();
-  for (std::size_t k = 0; k < count; ++k) q.push_back(0.3 + 0.17 * static_cast<double>(k % 7));
-  for (const int first : robot.library.quaternions()) {
+  const model::KinematicTree& tree = robot.library.tree;
+  for (int k = 0; k < tree.position_count(); ++k) q.push_back(0.3 + 0.17 * (k % 7));
+  for (const int first : model::quaternions(tree)) {
     const auto begin = q.begin() + first;
     const double norm = std::sqrt(std::inner_product(begin, begin + 4, begin, 0.0));
     for (auto e = begin; e < begin + 4; ++e) *e /= norm;
@@ -39,8 +40,7 @@ inline std::vector<double> some_positions(const view::ViewedRobot& robot) {
 
 inline std::vector<double> declared_parameters(const view::ViewedRobot& robot) {
   std::vector<double> values;
-  for (const backend::ParameterData& p : robot.library.parameters)
-    values.push_back(std::isnan(p.default_value) ? 0.7 : p.default_value);
+  for (const model::Parameter& p : robot.library.tree.parameters) values.push_back(p.default_value.value_or(0.7));
   return values;
 }
 

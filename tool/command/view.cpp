@@ -10,6 +10,7 @@
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "model/closed_positions.h"
+#include "model/elements.h"
 #include "view/drawing.h"
 #include "view/page.h"
 
@@ -71,9 +72,9 @@ void normalise(const std::vector<std::string>& names, std::size_t first, std::ve
 std::vector<double> parameters(const ViewOptions& options, const view::ViewedRobot& robot) {
   std::vector<std::string> names;
   std::vector<double> values;
-  for (const backend::ParameterData& p : robot.library.parameters) {
+  for (const model::Parameter& p : robot.library.tree.parameters) {
     names.push_back(p.name);
-    values.push_back(p.default_value);
+    values.push_back(model::default_of(p));
   }
   assign("--parameters", options.parameters, names, values);
   std::vector<std::string> missing;
@@ -92,18 +93,19 @@ std::vector<double> positions(
     const ViewOptions& options,
     const view::ViewedRobot& robot,
     const model::KinematicTree& tree) {
-  std::vector<std::string> names = robot.library.position_names();
-  names.resize(names.size() - robot.library.followers.size());
+  std::vector<std::string> names = model::position_names(tree);
+  names.resize(names.size() - tree.followers_in_q().size());
   std::vector<double> values;
-  for (std::size_t j = 0; j < robot.library.joints.size(); ++j) {
-    const backend::JointData& joint = robot.library.joints[j];
-    if (joint.type == backend::JointType::spherical && !robot.library.is_follower(j)) values.push_back(1.0);
+  for (const int j : tree.coordinates()) {
+    const model::Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    const double position = joint.assembled_position();
+    if (joint.type == model::JointType::spherical && joint.is_first()) values.push_back(1.0);
     values.push_back(
-        joint.limits.lower <= joint.limits.upper ? std::clamp(joint.assembled, joint.limits.lower, joint.limits.upper)
-                                                 : joint.assembled);
+        joint.limits.lower <= joint.limits.upper ? std::clamp(position, joint.limits.lower, joint.limits.upper)
+                                                 : position);
   }
   assign("--q", options.q, names, values);
-  for (const int first : robot.library.quaternions()) normalise(names, static_cast<std::size_t>(first), values);
+  for (const int first : model::quaternions(tree)) normalise(names, static_cast<std::size_t>(first), values);
   for (const double position : model::closed_followers(tree, values, parameters(options, robot)))
     values.push_back(position);
   return values;

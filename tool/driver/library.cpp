@@ -1,28 +1,15 @@
 #include "driver/library.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "algorithm/catalogue/transform_functions.h"
 #include "algorithm/kinematics/primitive_product.h"
 #include "driver/derivatives.h"
-#include "driver/model_data.h"
 #include "support/files.h"
 
 namespace robcogen::driver {
 namespace {
-
-// The frames of all transforms, each once.
-std::vector<backend::FrameData> frames_of(const model::CoordinateTransforms& document) {
-  std::vector<backend::FrameData> frames;
-  for (const std::string& name : model::motions_of(document).frames) {
-    frames.emplace_back();
-    frames.back().name = name;
-    frames.back().link = -1;
-  }
-  return frames;
-}
 
 backend::PrimitiveConvention convention_of(Primitives primitives) {
   if (!primitives) return backend::PrimitiveConvention::none;
@@ -39,22 +26,14 @@ backend::ProductData data_of(algorithm::PrimitiveProduct product) {
 }
 
 // -1 if there is no frame of that name.
-int index_of(const std::vector<backend::FrameData>& frames, const std::string& name) {
-  const auto place = std::find_if(frames.begin(), frames.end(), [&](const auto& frame) { return frame.name == name; });
+int index_of(const std::vector<std::string>& frames, const std::string& name) {
+  const auto place = std::find(frames.begin(), frames.end(), name);
   return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
-}
-
-// The data of a document without a robot.
-void add_document(const model::CoordinateTransforms& document, backend::Library& library) {
-  library.frames = frames_of(document);
-  library.variables = document.variables;
-  for (const model::Parameter& p : document.parameters)
-    library.parameters.push_back({p.name, p.default_value.value_or(std::numeric_limits<double>::quiet_NaN())});
 }
 
 backend::Function library_function(
     const Model& model,
-    const backend::Library& library,
+    const std::vector<std::string>& frames,
     Function&& f,
     Primitives primitives) {
   algorithm::RobotFunction& traced = f.traced;
@@ -76,16 +55,16 @@ backend::Function library_function(
   function.solved = std::move(traced.solved);
   const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.derivatives.empty();
   if (const Robot* robot = model.robot()) {
-    function.left_frame = index_of(library.frames, traced.frames.left.name);
-    function.right_frame = index_of(library.frames, traced.frames.right.name);
+    function.left_frame = index_of(frames, traced.frames.left.name);
+    function.right_frame = index_of(frames, traced.frames.right.name);
     if (is_homogeneous && primitives)
       function.product = data_of(algorithm::primitive_product(robot->tree, traced.frames, *primitives));
     return function;
   }
   const model::CoordinateTransforms& document = model.transforms()->document;
   const model::CoordinateTransform& transform = document.transforms[at(f.transform)];
-  function.left_frame = index_of(library.frames, transform.left);
-  function.right_frame = index_of(library.frames, transform.right);
+  function.left_frame = index_of(frames, transform.left);
+  function.right_frame = index_of(frames, transform.right);
   if (!is_homogeneous) return function;
   if (primitives)
     function.product = data_of(
@@ -113,7 +92,6 @@ backend::Library assemble(
   backend::Library result;
   result.name = names.name;
   result.enclosing = names.enclosing;
-  result.robot = model.name();
   result.model_file = model.file.filename().string();
   result.model_hash = hash_text(model.canonical);
   result.generator_version = kVersion;
@@ -121,18 +99,15 @@ backend::Library assemble(
   if (!model.derivatives().empty()) result.groups.emplace_back(kDerivativesGroup);
   result.primitives = convention_of(primitives);
   if (const Robot* robot = model.robot()) {
-    result.floating_base = robot->tree.floating_base;
-    result.uses_passive_forces = robot->tree.uses_passive_forces;
-    add_model(robot->tree, result);
-    if (has_contacts(functions))
-      for (const model::ContactFrame& contact : robot->desired.contacts)
-        result.contacts.push_back({index_of(result.frames, contact.frame.name), contact.is_surface});
+    result.tree = robot->tree;
+    if (has_contacts(functions)) result.contacts = robot->desired.contacts;
   } else {
-    add_document(model.transforms()->document, result);
+    result.document = model.transforms()->document;
   }
+  const std::vector<std::string> frames = result.frames();
   for (Function& f : functions.list)
-    (f.is_stage ? result.stages : result.functions)
-        .push_back(library_function(model, result, std::move(f), primitives));
+    (f.is_stage ? result.right_sides : result.functions)
+        .push_back(library_function(model, frames, std::move(f), primitives));
   result.updates = std::move(functions.updates);
   result.numbers = std::move(functions.numbers);
   result.trigonometry = std::move(functions.trigonometry);

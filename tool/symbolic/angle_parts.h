@@ -8,6 +8,12 @@
 
 namespace robcogen::symbolic {
 
+// Whether the sines and cosines of these angles, in ascending order, are computed together with those of all angles
+// between them: a few unused ones do no harm.
+inline bool are_together(const std::vector<int>& angles) {
+  return !angles.empty() && angles.back() - angles.front() < 2 * static_cast<int>(angles.size());
+}
+
 struct AngleParts {
   // The program without its sines and cosines: it takes sin_q and cos_q, of all angles of its library, as inputs after
   // the joint positions.

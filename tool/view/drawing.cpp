@@ -7,13 +7,11 @@
 
 #include "algorithm/catalogue/catalogue.h"
 #include "driver/failure.h"
+#include "support/index.h"
 #include "view/canvas.h"
 
 namespace robcogen::view {
 namespace {
-
-using backend::JointData;
-using backend::JointType;
 
 constexpr double kPaper = 640;   // pixels, of the robot and of the pattern
 constexpr double kCaption = 34;  // pixels, of the title and of the legend
@@ -76,16 +74,19 @@ void add_base(Drawing& d) {
   d.canvas.polygon(corners, "class=\"base\"", -0.01 * d.length);
 }
 
-void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
-  const bool turns = backend::turns(joint.type);
+// `joint` is an index of the model, `index` the place in the list of joints.
+void add_joint(Drawing& d, int joint, std::size_t index) {
+  const model::KinematicTree& tree = d.robot.library.tree;
+  const model::JointType type = tree.joints[at(joint)].type;
+  const bool turns = model::turns(type);
+  const Pose& parent = d.link(model::parent_link(tree, joint));
   const Pose& placed = d.joint(index);
-  const Pose& child = d.link(joint.child);
+  const Pose& child = d.link(model::child_link(tree, joint));
   const double half = 0.05 * d.length;
   const std::string bar = fmt::format("class=\"bar\" stroke-width=\"{:.1f}\"", d.width);
-  if (distance(origin(d.link(joint.parent)), origin(placed)) > 1e-9)
-    d.canvas.line(origin(d.link(joint.parent)), origin(placed), bar);
+  if (distance(origin(parent), origin(placed)) > 1e-9) d.canvas.line(origin(parent), origin(placed), bar);
   const std::string axis = turns ? "class=\"turn\"" : "class=\"slide\"";
-  if (joint.type == JointType::spherical) {
+  if (type == model::JointType::spherical) {
     d.canvas.disc(origin(child), d.width * 1.2, "class=\"ball\"", 0.012 * d.length);
     return;
   }
@@ -103,15 +104,16 @@ void add_joint(Drawing& d, const JointData& joint, std::size_t index) {
 
 // A link without children reaches its farthest frame, or otherwise its centre of mass. Rays lead to other frames.
 void add_tips(Drawing& d) {
-  const backend::Library& library = d.robot.library;
+  const model::KinematicTree& tree = d.robot.library.tree;
+  const std::size_t link_count = at(tree.link_count());
   const std::string tip = fmt::format("class=\"tip\" stroke-width=\"{:.1f}\"", d.width * 0.6);
-  std::vector<bool> carries_joint(library.links.size());
-  for (const JointData& joint : library.all_joints()) carries_joint[static_cast<std::size_t>(joint.parent)] = true;
-  std::vector<std::vector<Point>> ends_of(library.links.size());
+  std::vector<bool> carries_joint(link_count);
+  for (const int j : model::independent_joints_first(tree)) carries_joint[at(model::parent_link(tree, j))] = true;
+  std::vector<std::vector<Point>> ends_of(link_count);
   for (std::size_t f = 0; f < d.robot.frames.size(); ++f)
     if (d.robot.frames[f].kind == ViewedFrame::Kind::user)
       ends_of[static_cast<std::size_t>(d.robot.frames[f].link)].push_back(origin(d.posture.frames[f]));
-  for (std::size_t l = 0; l < library.links.size(); ++l) {
+  for (std::size_t l = 0; l < link_count; ++l) {
     const bool is_leaf = !carries_joint[l];
     std::vector<Point>& ends = ends_of[l];
     if (is_leaf && ends.empty() && d.posture.masses[l] > 0) ends.push_back(d.posture.centres[l]);
@@ -157,9 +159,10 @@ void add_masses(Drawing& d) {
 // The median distance from the origin of a link to the joints that it carries.
 double median_bar(const Drawing& d) {
   std::vector<double> lengths;
-  const std::vector<JointData> joints = d.robot.library.all_joints();
+  const model::KinematicTree& tree = d.robot.library.tree;
+  const std::vector<int> joints = model::independent_joints_first(tree);
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const double l = distance(origin(d.link(joints[j].parent)), origin(d.joint(j)));
+    const double l = distance(origin(d.link(model::parent_link(tree, joints[j]))), origin(d.joint(j)));
     if (l > 1e-9) lengths.push_back(l);
   }
   if (lengths.empty()) return d.length / 4;
@@ -169,12 +172,15 @@ double median_bar(const Drawing& d) {
 
 std::string robot_elements(const ViewedRobot& robot, const Posture& posture, const DrawingOptions& options) {
   Drawing d = {robot, posture, Canvas(options.azimuth, options.elevation)};
-  d.joints.resize(robot.library.all_joints().size());
+  const model::KinematicTree& tree = robot.library.tree;
+  const std::vector<int> joints = model::independent_joints_first(tree);
+  const auto is_first = [&](std::size_t j) { return tree.joints[at(joints[j])].is_first(); };
+  d.joints.resize(joints.size());
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::joint)
       d.joints[static_cast<std::size_t>(robot.frames[f].index)] = &posture.frames[f];
   for (std::size_t j = 0; j < d.joints.size(); ++j)
-    if (robot.library.is_follower(j)) d.joints[j] = d.joints[j - 1];
+    if (!is_first(j)) d.joints[j] = d.joints[j - 1];
   d.length = 0;
   for (const Pose& pose : posture.frames)
     d.length = std::max(d.length, distance(origin(pose), origin(posture.frames[0])));
@@ -182,21 +188,22 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   d.width = std::clamp(median_bar(d) / d.length * 30, 2.5, 9.0);
   add_base(d);
   add_tips(d);
-  const std::vector<JointData> joints = robot.library.all_joints();
   for (std::size_t j = 0; j < joints.size(); ++j)
-    if (!robot.library.is_follower(j)) add_joint(d, joints[j], j);
+    if (is_first(j)) add_joint(d, joints[j], j);
   for (const ViewedLoop& loop : robot.loops) add_loop(d, loop);
   add_frame(d, d.link(0), 0.12 * d.length);
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user) add_frame(d, posture.frames[f], 0.06 * d.length);
   add_masses(d);
-  d.canvas.label(origin(d.link(0)), robot.library.links.front().name, "class=\"frame\"");
+  d.canvas.label(origin(d.link(0)), tree.links.front().name, "class=\"frame\"");
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user)
       d.canvas.label(origin(posture.frames[f]), robot.frames[f].name, "class=\"frame\"");
   for (std::size_t j = 0; j < joints.size(); ++j)
-    if (!robot.library.is_follower(j))
-      d.canvas.label(origin(d.link(joints[j].child)), backend::declared_name(joints[j]), "class=\"joint\"");
+    if (is_first(j))
+      d.canvas.label(
+          origin(d.link(model::child_link(tree, joints[j]))), tree.joints[at(joints[j])].declared_name(),
+          "class=\"joint\"");
   return d.canvas.elements(0, kCaption, kPaper);
 }
 
@@ -277,7 +284,7 @@ std::string draw(const ViewedRobot& robot, const Posture& posture, const Drawing
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "fill=\"none\">\n",
       width, height);
-  const std::string name = escaped(robot.library.robot);
+  const std::string name = escaped(robot.library.title());
   text += fmt::format("<title>{}</title>\n", name) + kStyle;
   text += fmt::format("<text x=\"20\" y=\"{:.1f}\" class=\"title\">{}</text>\n", kCaption - 12, name);
   text += robot_elements(robot, posture, options);
@@ -285,7 +292,7 @@ std::string draw(const ViewedRobot& robot, const Posture& posture, const Drawing
   return text + fmt::format(
                     "<text x=\"20\" y=\"{:.1f}\">blue: links; orange: axes of revolute joints{}; violet: prismatic "
                     "joints; quartered discs: centres of mass</text>\n</svg>\n",
-                    height - 14, robot.library.has_spherical_joints() ? " and spherical joints" : "");
+                    height - 14, !robot.library.tree.spherical_joints().empty() ? " and spherical joints" : "");
 }
 
 }  // namespace robcogen::view

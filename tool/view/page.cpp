@@ -130,9 +130,9 @@ Json data_of(
     frames.push_back({{"kind", word(frame.kind)}, {"name", frame.name}, {"index", frame.index}, {"link", frame.link}});
   Json loops = Json::array();
   for (const ViewedLoop& loop : robot.loops) loops.push_back({{"name", loop.name}, {"frames", loop.frames}});
-  for (std::size_t k = 0; k < library.parameters.size(); ++k)
-    parameters[library.parameters[k].name] = options.parameters[k];
-  const std::size_t count = library.joints.size() - 2 * library.quaternions().size();
+  for (std::size_t k = 0; k < library.tree.parameters.size(); ++k)
+    parameters[library.tree.parameters[k].name] = options.parameters[k];
+  const std::size_t count = at(library.tree.dof()) - 2 * library.tree.spherical_joints().size();
   const std::string about = fmt::format(
       "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
       robot.floats ? "floating base, fixed in this view" : "fixed base");
@@ -155,7 +155,7 @@ std::string page(
   std::string result;
   std::string_view rest = page_file("page.html");
   for (const auto& [place, text] :
-       {std::pair<std::string_view, std::string>{"{{title}}", escaped(robot.library.robot)},
+       {std::pair<std::string_view, std::string>{"{{title}}", escaped(robot.library.title())},
         {"{{style}}", std::string(page_file("page.css"))},
         {"{{data}}", json},
         {"{{script}}", in_script(script)}}) {

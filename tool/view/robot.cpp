@@ -6,7 +6,9 @@
 #include "algorithm/catalogue/model_numbers.h"
 #include "algorithm/kinematics/frame_poses.h"
 #include "driver/driver.h"
+#include "model/elements.h"
 #include "model/plausibility.h"
+#include "support/index.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::view {
@@ -52,16 +54,16 @@ backend::Function function_of(const std::string& name, symbolic::Program program
   return f;
 }
 
-std::vector<ViewedFrame> frames_of(const model::KinematicTree& tree, const backend::Library& library) {
-  std::map<std::string, int> joints;
-  for (const backend::JointData& j : library.all_joints()) joints.emplace(j.name, static_cast<int>(joints.size()));
+std::vector<ViewedFrame> frames_of(const model::KinematicTree& tree) {
+  std::map<int, int> joints;
+  for (const int j : model::independent_joints_first(tree)) joints.emplace(j, static_cast<int>(joints.size()));
   std::vector<ViewedFrame> result;
   int users = 0;
   for (const model::Frame& frame : tree.frames()) {
     ViewedFrame viewed = {ViewedFrame::Kind::link, frame.name, frame.index, tree.link_of(frame)};
     if (frame.kind == model::Frame::Kind::joint) {
       viewed.kind = ViewedFrame::Kind::joint;
-      viewed.index = joints.at(tree.joints[static_cast<std::size_t>(frame.index)].name);
+      viewed.index = joints.at(frame.index);
     } else if (frame.kind == model::Frame::Kind::user) {
       viewed.kind = ViewedFrame::Kind::user;
       viewed.index = users++;
@@ -104,15 +106,10 @@ ViewedRobot viewed(const driver::Model& model, Purpose purpose) {
   if (!tree.parameters.empty())
     functions.push_back(
         function_of("numbers", algorithm::model_numbers(tree), "The numbers of links, joints and frames."));
-  result.frames = frames_of(tree, result.library);
-  for (const backend::LoopData& loop : result.library.loops) {
-    const auto place = [&](int frame) {
-      const std::string& name = result.library.frames[static_cast<std::size_t>(frame)].name;
-      const auto found = std::find_if(
-          result.frames.begin(), result.frames.end(), [&](const ViewedFrame& viewed) { return viewed.name == name; });
-      return static_cast<std::size_t>(found - result.frames.begin());
-    };
-    result.loops.push_back({loop.name, {place(loop.first_frame), place(loop.second_frame)}});
+  result.frames = frames_of(tree);
+  for (const model::LoopJoint& loop : tree.loops) {
+    const auto place = [&](const model::LoopEnd& end) { return at(model::place_of_frame(tree, end.frame)); };
+    result.loops.push_back({loop.name, {place(loop.ends[0]), place(loop.ends[1])}});
   }
   result.floats = model.robot()->tree.floating_base;
   return result;
@@ -131,7 +128,10 @@ Posture posture(const ViewedRobot& robot, const std::vector<double>& q, const st
     pose[3][3] = 1;
     result.frames.push_back(pose);
   }
-  std::vector<backend::LinkData> links = robot.library.links;
+  const model::KinematicTree& tree = robot.library.tree;
+  std::vector<model::MassProperties> links;
+  for (std::size_t l = 0; l < at(tree.link_count()); ++l)
+    links.push_back(model::mass_properties(tree.links[l], model::DefaultValues(tree.parameters)));
   for (const backend::Function& f : functions) {
     if (f.name != "numbers") continue;
     const auto results = symbolic::interpret<double>(f.program, arguments(f.program, q, parameters));

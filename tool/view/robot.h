@@ -16,7 +16,7 @@ struct ViewedFrame {
   enum class Kind { link, joint, user };
   Kind kind = Kind::link;
   std::string name;
-  int index = 0;  // of the link, the joint (Library::all_joints) or the user frame
+  int index = 0;  // of the link, the joint (model::independent_joints_first) or the user frame
   int link = 0;   // the link that it moves with
 };
 

@@ -86,13 +86,14 @@ template <class Real>
 std::vector<Real> random_values(const Library& library, const symbolic::InputArray& input, std::mt19937& dice) {
   std::vector<Real> values;
   for (const std::string& element : input.elements) {
-    const auto p = std::find_if(library.parameters.begin(), library.parameters.end(), [&](const ParameterData& data) {
-      return input.role == symbolic::Role::parameters && data.name == element;
+    const std::vector<model::Parameter>& parameters = library.parameters();
+    const auto p = std::find_if(parameters.begin(), parameters.end(), [&](const model::Parameter& parameter) {
+      return input.role == symbolic::Role::parameters && parameter.name == element;
     });
-    const double around = p == library.parameters.end() || std::isnan(p->default_value) ? 0 : p->default_value;
+    const double around = p == parameters.end() ? 0 : p->default_value.value_or(0);
     const double u = std::uniform_real_distribution<double>(-1, 1)(dice);
     // Loops close only near the position in which they are assembled.
-    const bool is_near = !library.loops.empty() && input.role == symbolic::Role::joint_position;
+    const bool is_near = !library.tree.loops.empty() && input.role == symbolic::Role::joint_position;
     values.push_back(static_cast<Real>(around == 0 ? (is_near ? 0.1 : 3) * u : around * (1 + u / 5)));
   }
   for (const int first : input.quaternions) {
@@ -124,7 +125,7 @@ std::vector<Real> random_cache(const Library& library, std::mt19937& dice) {
 
 // Returns a line for each difference between the function and the interpreter.
 template <class Real>
-std::string differences(const Library& library, const c::Callable& c, void* function, std::mt19937& dice) {
+std::string differences(const Library& library, const c::NamedFunction& c, void* function, std::mt19937& dice) {
   const symbolic::Program& program = c.function->program;
   const std::string& name = sizeof(Real) == 4 ? c.name_in_float : c.name;
   if (!function) return name + " is missing\n";
@@ -139,7 +140,7 @@ std::string differences(const Library& library, const c::Callable& c, void* func
     if (input.role != symbolic::Role::parameters || is_cache) continue;
     // The structure holds all parameters, including those that the function does not read.
     std::vector<Real> all;
-    for (const ParameterData& p : library.parameters) {
+    for (const model::Parameter& p : library.parameters()) {
       const auto place = std::find(input.elements.begin(), input.elements.end(), p.name);
       all.push_back(place == input.elements.end() ? Real(-7) : values[std::size_t(place - input.elements.begin())]);
     }
@@ -175,7 +176,7 @@ std::string differences(const Library& library, const std::filesystem::path& fol
   if (!loaded) return dlerror();
   std::mt19937 dice(7);
   std::string report;
-  for (const c::Callable& c : c::names(library).callables) {
+  for (const c::NamedFunction& c : c::names(library).functions) {
     for (int state = 0; state < 3; ++state) {
       report += differences<double>(library, c, dlsym(loaded, c.name.c_str()), dice);
       report += differences<float>(library, c, dlsym(loaded, c.name_in_float.c_str()), dice);
@@ -226,7 +227,7 @@ TEST(C, ParametersOfJointsGiveWhatTheInterpreterGives) {
   const Library robot = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../drives/adjustable.kindsl", "adjustable",
       {algorithm::default_groups()});
-  ASSERT_EQ(robot.parameters.size(), 5U);
+  ASSERT_EQ(robot.tree.parameters.size(), 5U);
   EXPECT_EQ(differences(robot), "");
 }
 
@@ -246,18 +247,19 @@ TEST(C, UpdatedCachesStandForTheParameters) {
   const Library plain = driver::library(*model, {.names = {"leg"}, .groups = {"inverse_dynamics"}});
   const symbolic::Program& program = plain.functions.front().program;
 
+  const std::vector<model::Parameter>& parameters = leg.tree.parameters;
   std::vector<double> all, cache(1000, std::numeric_limits<double>::quiet_NaN());
   symbolic::Arrays<double> inputs;
-  while (all.size() < leg.parameters.size()) all.push_back(0.5 + 0.1 * static_cast<double>(all.size()));
+  while (all.size() < parameters.size()) all.push_back(0.5 + 0.1 * static_cast<double>(all.size()));
   std::vector<std::vector<double>> arrays = {cache};
   for (const symbolic::InputArray& input : program.inputs) {
     std::vector<double>& values = inputs[input.name];
     for (const std::string& element : input.elements) {
-      const auto p = std::find_if(leg.parameters.begin(), leg.parameters.end(), [&](const ParameterData& data) {
-        return data.name == element;
+      const auto p = std::find_if(parameters.begin(), parameters.end(), [&](const model::Parameter& parameter) {
+        return parameter.name == element;
       });
       const bool is_parameter = input.role == symbolic::Role::parameters;
-      values.push_back(is_parameter ? all[std::size_t(p - leg.parameters.begin())] : 0.3 * double(values.size()) - 0.7);
+      values.push_back(is_parameter ? all[std::size_t(p - parameters.begin())] : 0.3 * double(values.size()) - 0.7);
     }
     if (input.role != symbolic::Role::parameters) arrays.push_back(values);
   }
@@ -296,7 +298,7 @@ TEST_P(ColumnLoops, GiveWhatIsWrittenOut) {
   std::vector<double> parameters = {1.3}, cache(1000, std::numeric_limits<double>::quiet_NaN());
   if (!looped.updates.empty()) call(dlsym(loaded, "robot_update"), {parameters.data(), cache.data()});
   std::mt19937 dice(7);
-  for (const c::Callable& c : c::names(plain).callables) {
+  for (const c::NamedFunction& c : c::names(plain).functions) {
     const symbolic::Program& program = c.function->program;
     symbolic::Arrays<double> inputs;
     std::vector<std::vector<double>> arrays;
@@ -353,9 +355,9 @@ TEST(C, TransformsWithNoRobotGiveWhatTheInterpreterGives) {
 TEST(C, TakesAnyName) {
   Library names = library(
       std::filesystem::path(TEST_SOURCE_DIR) / "../../codegen/names.kindsl", "names", {algorithm::default_groups()});
-  names.robot = "what?\?/";
+  names.tree.name = "what?\?/";
   names.model_file = "a*/b\\\n?\?/";
-  names.joints.front().name = "a\"b?\?/";
+  names.tree.joints.front().name = "a\"b?\?/";
   EXPECT_EQ(differences(names), "");
 }
 
@@ -410,10 +412,12 @@ TEST(C, NamesOfBothPrecisionsDiffer) {
   Library library;
   library.name = "hyl";
   library.enclosing = "a::b";
-  for (const char* kernel : {"x", "xf", "parameters", "xff"})
-    library.functions.push_back({"group", "", "", kernel, {}, {}, {}, -1, -1, {}});
+  for (const char* kernel : {"x", "xf", "parameters", "xff"}) {
+    library.functions.emplace_back();
+    library.functions.back().kernel = kernel;
+  }
   std::vector<std::string> names;
-  for (const c::Callable& c : c::names(library).callables) names.insert(names.end(), {c.name, c.name_in_float});
+  for (const c::NamedFunction& c : c::names(library).functions) names.insert(names.end(), {c.name, c.name_in_float});
   EXPECT_EQ(
       names, (std::vector<std::string>{
                  "a_b_hyl_x", "a_b_hyl_xf_2", "a_b_hyl_xf", "a_b_hyl_xff_2", "a_b_hyl_parameters_2",

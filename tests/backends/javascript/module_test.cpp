@@ -127,16 +127,18 @@ console.log(coupled_joints.every((j) => j.factors.length === dof && typeof j.off
 )");
   const backend::Library scara = robot("scara");
   std::string types;
-  for (const backend::JointData& j : scara.joints)
+  for (const int j : scara.tree.coordinates()) {
+    const model::JointType type = scara.tree.joints[static_cast<std::size_t>(j)].type;
     types += (types.empty() ? "" : " ") + std::string(
-                                              j.type == backend::JointType::revolute    ? "revolute"
-                                              : j.type == backend::JointType::prismatic ? "prismatic"
-                                                                                        : "helical");
+                                              type == model::JointType::revolute    ? "revolute"
+                                              : type == model::JointType::prismatic ? "prismatic"
+                                                                                    : "helical");
+  }
   EXPECT_EQ(
       lines, (std::vector<std::string>{
                  fmt::format(
-                     "{} {} {} {} {} true", scara.robot, scara.joints.size(), scara.joints.size(), scara.coupled.size(),
-                     scara.links.size()),
+                     "{} {} {} {} {} true", scara.title(), scara.tree.dof(), scara.tree.dof(),
+                     scara.tree.couplings.size(), scara.tree.link_count()),
                  types, "true", "true", "true"}));
 }
 
@@ -182,7 +184,7 @@ TEST_F(JavaScriptModule, TakesAnyName) {
 TEST_F(JavaScriptModule, KeepsTheUsersTextInItsComments) {
   backend::Library library = robot("hyl");
   library.model_file = "a*/b\n*/\xE2\x80\xA8(/*.kindsl";
-  library.robot = "a\"\\b\n";
+  library.tree.name = "a\"\\b\n";
   library.functions.front().summary = {"a */ b"};
   library.functions.front().program.sections.front().title = "one\ntwo\xE2\x80\xA9three";
   EXPECT_EQ(differences(library, module_of(library)), "");

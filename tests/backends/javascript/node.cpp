@@ -68,7 +68,7 @@ std::string argument(const symbolic::InputArray& input, const std::vector<double
 }
 
 // `transforms.homogeneous.fr_base_X_fr_foot([0.1, 0.2])`
-std::string call(const backend::Callable& callable, const Program& program, const Arrays<double>& inputs) {
+std::string call(const backend::OverloadedFunction& callable, const Program& program, const Arrays<double>& inputs) {
   std::string name = "robot." + callable.scope + (callable.scope.empty() ? "" : "::") + callable.name;
   for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::")) name.replace(at, 2, ".");
   std::vector<std::string> arguments;
@@ -145,7 +145,7 @@ std::string differences(const backend::Library& library, const OutputFile& modul
   std::vector<Call> all;
   std::mt19937_64 engine(kSeed);
   OutputFile script = {"calls.mjs", "import * as robot from \"./" + module.path.string() + "\";\n" + kShow};
-  for (const backend::Callable& callable : backend::callables(library)) {
+  for (const backend::OverloadedFunction& callable : backend::overloaded_functions(library)) {
     // Each overload is called with its own arguments; the module's function supplies defaults for the ones that it
     // leaves out.
     for (const backend::Function* overload : callable.overloads) {

@@ -112,7 +112,7 @@ std::string differences(const backend::Library& library, const OutputFile& text)
   };
   std::vector<Call> calls;
   std::mt19937_64 engine(kSeed);
-  const int states = library.joints.size() < 20 ? 3 : 1;  // Maxima takes seconds for each state of a humanoid
+  const int states = library.tree.dof() < 20 ? 3 : 1;  // Maxima takes seconds for each state of a humanoid
   OutputFile script = {"calls.mac", kShow};
   for (const backend::Function& f : library.functions) {
     for (int state = 0; state < states; ++state) {

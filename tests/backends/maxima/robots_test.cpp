@@ -117,7 +117,7 @@ TEST_F(MaximaRobot, WithOneSignWrongIsFoundOut) {
 TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
   const backend::Library library =
       library_of(std::filesystem::path(TEST_SOURCE_DIR) / "../octave/parametric.kindsl", "floating");
-  ASSERT_TRUE(library.floating_base);
+  ASSERT_TRUE(library.tree.floating_base);
   std::string calls;
   std::set<std::string> names;
   for (const backend::Function& f : library.functions) {

@@ -46,7 +46,7 @@ TEST_F(MaximaSymbols, OfParametersAreNumbersWhereTheyAreDeclared) {
   const backend::Library arm = library_of(kHere / "two_links.kindsl", "arm");
   backend::Library declared = arm;
   declared.name = "declared";
-  declared.parameters.front().default_value = 0.25;
+  declared.tree.parameters.front().default_value = 0.25;
   const std::vector<std::string> lines = run_maxima(
       {maxima_text(arm),
        maxima_text(declared),

@@ -24,22 +24,19 @@ Argument argument(const backend::Library& library, const InputArray& array) {
   Argument result{array.name, static_cast<int>(array.elements.size())};
   result.quaternions = array.quaternions;
   // Loops close only near the position in which they are assembled.
-  if (array.role == Role::joint_position && !library.loops.empty()) result.limit = 0.1;
+  if (array.role == Role::joint_position && !library.tree.loops.empty()) result.limit = 0.1;
   if (array.role == Role::link_wrenches) {
     result.rows = 6;
-    result.columns = static_cast<int>(library.links.size());
+    result.columns = library.tree.link_count();
   }
   if (array.role == Role::variables) result.kind = "scalars";
   if (array.role == Role::inertia_factor)
     result.rows = result.columns = static_cast<int>(std::lround(std::sqrt(static_cast<double>(result.rows))));
   if (array.role == Role::parameters) {
     result.kind = "struct";
-    std::vector<std::string> names;
-    for (const backend::ParameterData& p : library.parameters) {
-      names.push_back(p.name);
-      result.around.push_back(std::isnan(p.default_value) ? 1.0 : p.default_value);
-    }
-    for (const std::string& field : backend::matlab::fields(names))
+    const std::vector<model::Parameter>& parameters = library.parameters();
+    for (const model::Parameter& p : parameters) result.around.push_back(p.default_value.value_or(1.0));
+    for (const std::string& field : backend::matlab::fields(model::names_of(parameters)))
       result.kind += (result.kind == "struct" ? ":" : ",") + field;
   }
   return result;
@@ -86,7 +83,7 @@ std::optional<Call> shape_of_product(const backend::Library& library, const back
 
 bool may_omit_gravity(const backend::Library& library, const backend::Function& function) {
   const std::vector<InputArray>& inputs = function.program.inputs;
-  if (library.floating_base || inputs.empty() || inputs.back().role != Role::gravity) return false;
+  if (library.tree.floating_base || inputs.empty() || inputs.back().role != Role::gravity) return false;
   return std::none_of(library.functions.begin(), library.functions.end(), [&](const backend::Function& other) {
     return other.scope == function.scope && other.name == function.name && other.program.inputs.size() < inputs.size();
   });

@@ -129,8 +129,10 @@ TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
 
 TEST(Api, ParametersAreMembersOfOneTypeWithAGetterEach) {
   Library library = test::leg_library();
-  library.parameters = {
-      {"size", 1, true, true}, {"class", 3, false, true}, {"get_mass", 4, false, true}, {"mass", 5, false, true}};
+  for (const char* name : {"size", "class", "get_mass", "mass"}) {
+    library.tree.parameters.emplace_back();
+    library.tree.parameters.back().name = name;
+  }
   for (const char* name : {"update_kinematics", "update_dynamics", "update_both"})
     library.updates.push_back(test::function("parameters", name, test::leg_program("return tau 0\n")));
   const Api names = api(library);
@@ -158,13 +160,13 @@ TEST(Api, NamespacesThatWouldHideOthersAreRenamed) {
 
 TEST(Api, EnumeratorsAreLegalAndDistinct) {
   Library library = test::leg_library();
-  library.joints[0].name = "class";
-  library.joints[1].name = "__x";
-  library.frames.push_back({"a-b", 0});
-  library.frames.push_back({"a_b", 0});
+  library.tree.joints[0].name = "class";
+  library.tree.joints[1].name = "__x";
+  model::test::add_frame(library.tree, "a-b", 0);
+  model::test::add_frame(library.tree, "a_b", 0);
   const Api names = api(library);
   EXPECT_EQ(names.joints, (Names{"class_", "x"}));
-  EXPECT_EQ(names.frames, (Names{"fr_trunk", "fr_foot", "a_b_2", "a_b"}));
+  EXPECT_EQ(names.frames, (Names{"fr_trunk", "fr_thigh", "fr_shank", "fr_class", "fr_x", "fr_foot", "a_b_2", "a_b"}));
 }
 
 TEST(Api, DifferentFunctionsNeverShareAName) {

@@ -1,6 +1,9 @@
 // Blocks of programs with lanes, as lines of C++.
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+
 #include "backend/cpp/lower.h"
 #include "programs.h"
 
@@ -191,6 +194,34 @@ TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
       "      name_of_moderate_length_3, name_of_moderate_length_4, name_of_moderate_length_5, "
       "name_of_moderate_length_6,\n"
       "      name_of_moderate_length_7);\n");
+}
+
+// The lines of the kernel for small angles; empty if there is none.
+std::string lines_of_small_angles(const std::string& statements) {
+  const symbolic::Program program = test::program(
+      "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n" + statements +
+      "return out z\n");
+  const std::optional<Kernel> kernel = of_small_angles(lower(program, "limbs"));
+  std::string result;
+  if (!kernel) return result;
+  for (const Line& line : kernel->lines) result += text(line) + "\n";
+  return result;
+}
+
+TEST(LowerSmallAngles, AreMarkedInTheirLines) {
+  const std::string text = lines_of_small_angles(
+      "tmp u = gather q[0] q[1]\ntmp s = sin u\ntmp t = sin q[0]\ntmp y = s * t\ntmp z = sum_lanes y\n");
+  EXPECT_NE(text.find("= robcogen::sincos_of_small(u);"), std::string::npos) << text;
+  EXPECT_EQ(text.find("sincos_of_small(q[0])"), std::string::npos) << text;
+}
+
+// Sines of scalars have no such form, and sines in two lanes are computed together with others.
+TEST(LowerSmallAngles, AreThoseOfLanesThatAreComputedAlone) {
+  EXPECT_EQ(lines_of_small_angles("tmp s = sin q[0]\ntmp z = s * q[1]\n"), "");
+  EXPECT_EQ(
+      lines_of_small_angles("tmp u = gather q[0] q[2]\ntmp v = gather q[1] q[3]\ntmp s = sin u\ntmp t = sin v\n"
+                            "tmp y = s * t\ntmp z = sum_lanes y\n"),
+      "");
 }
 
 }  // namespace

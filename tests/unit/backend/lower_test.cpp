@@ -298,21 +298,5 @@ TEST(Lower, LongNamesAreShortened) {
   EXPECT_NE(kernel.lines[1].targets[0], kernel.lines[2].targets[0]);
 }
 
-// There are fewer registers for lanes than for scalars, so kernels with lanes are split at a smaller length.
-TEST(Lower, LongKernelsAreCutWithLanesSooner) {
-  Kernel kernel;
-  kernel.name = "leg";
-  for (int k = 0; k < 1500; ++k) {
-    if (k % 50 == 0) kernel.lines.push_back({Line::Kind::section, {}, "link " + std::to_string(k)});
-    kernel.lines.push_back({Line::Kind::definition, {"hip_" + std::to_string(k)}, "q[0]"});
-  }
-  EXPECT_FALSE(is_split(kernel));
-  kernel.widths = {2};
-  EXPECT_TRUE(is_split(kernel));
-  for (const Kernel& part : split(kernel).kernels) EXPECT_LE(part.lines.size(), 200U);
-  kernel.lines.resize(900);
-  EXPECT_FALSE(is_split(kernel));
-}
-
 }  // namespace
 }  // namespace robcogen::backend::cpp

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "../model/trees.h"
 #include "backend/library.h"
 #include "symbolic/text.h"
 
@@ -49,15 +50,14 @@ inline backend::Function function(const std::string& name, const std::string& ke
 inline backend::Library leg_library() {
   backend::Library library;
   library.name = "leg";
-  library.robot = "Leg";
   library.model_file = "leg.kindsl";
   library.model_hash = "0123456789abcdef";
   library.generator_version = "1.2.3";
-  library.links = {{"trunk", -1}, {"thigh", 0, 2.5, {0.1, 0, 0}, {1, 2, 3, 0, 0, 0}}, {"shank", 1}};
-  library.joints = {
-      {"HFE", backend::JointType::revolute, 0, 1},
-      {"KFE", backend::JointType::prismatic, 1, 2, {0.35, 0, 0}, {0, 0, 0}}};
-  library.frames = {{"fr_trunk", 0}, {"fr_foot", 2, {0.33, 0, 0}}};
+  model::KinematicTree& tree = library.tree = model::test::only_base("Leg", "trunk");
+  const model::Inertia thigh = model::test::body(2.5, {0.1, 0, 0}, {1, 2, 3, 0, 0, 0});
+  model::test::add_link(tree, "HFE", model::JointType::revolute, 0, "thigh", thigh);
+  model::test::add_link(tree, "KFE", model::JointType::prismatic, 1, "shank", {}, model::test::vector(0.35, 0, 0));
+  model::test::add_frame(tree, "fr_foot", 2, model::test::vector(0.33, 0, 0));
   return library;
 }
 

@@ -48,10 +48,10 @@ Names names(const Library& library) {
   NameScope scope(is_free, words(kOthers));
   for (const std::vector<Function>* list : {&library.functions, &library.updates})
     for (const Function& f : *list)
-      result.callables.push_back(
+      result.functions.push_back(
           {&f, scope.claim(f.kernel), {}, list == &library.functions && !library.updates.empty()});
-  for (Callable& c : result.callables) c.name_in_float = start + scope.claim(c.name + "f");
-  for (Callable& c : result.callables) c.name = start + c.name;
+  for (NamedFunction& c : result.functions) c.name_in_float = start + scope.claim(c.name + "f");
+  for (NamedFunction& c : result.functions) c.name = start + c.name;
   return result;
 }
 

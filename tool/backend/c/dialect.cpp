@@ -3,6 +3,7 @@
 #include "backend/c/printers.h"
 #include "backend/common/c_names.h"
 #include "backend/common/layout.h"
+#include "backend/common/split_kernel.h"
 #include "support/number.h"
 
 namespace robcogen::backend::c {
@@ -27,6 +28,7 @@ Dialect dialect(const Precision& precision, bool reads_cache) {
   d.used_names = {d.sine, d.cosine, d.square_root, d.arc_tangent, "kept"};
   d.line_limit = kColumns - d.indentation;
   d.pairs_angles = false;
+  d.lengths = kLengths;
   d.binds_parameters = true;
   d.literal = precision.is_float ? literal<kFloat> : literal<kDouble>;
   d.element = subscripted;

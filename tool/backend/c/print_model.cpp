@@ -71,11 +71,11 @@ Constant constant(const Names& names, const Table& table) {
 std::vector<Constant> limbs(const Names& names) {
   const std::string limb = names.prefix + "_limb", elements = limb + "_elements";
   std::vector<std::string> values, rows;
-  for (const LimbData& l : names.library.limbs) {
+  for (const model::Limb& l : model::listed_limbs(names.library.tree)) {
     std::vector<std::string> row = {quoted(l.name), quoted(l.part), std::to_string(l.first_link)};
-    for (const std::vector<LimbData::Element>* list : {&l.links, &l.joints, &l.frames}) {
+    for (const std::vector<model::Limb::Element>* list : {&l.links, &l.joints, &l.frames}) {
       row.push_back(elements + " + " + std::to_string(values.size()));
-      for (const LimbData::Element& e : *list) values.push_back(braced({quoted(e.own), std::to_string(e.index)}));
+      for (const model::Limb::Element& e : *list) values.push_back(braced({quoted(e.own), std::to_string(e.index)}));
       values.emplace_back("{0, -1}");
     }
     rows.push_back(braced(row));
@@ -88,21 +88,22 @@ std::vector<Constant> limbs(const Names& names) {
 }
 
 Constant default_parameters(const Names& names, const Precision& precision) {
-  const std::vector<std::string> members = dialect(kDouble, false).members(names.library.parameter_names());
+  const std::vector<std::string> members = dialect(kDouble, false).members(model::names_of(names.library.parameters()));
   Constant result{
       names.in(precision, "typedef struct {\n  % " + joined(members, ";\n  % ") + ";\n} @_parameters$;\n"),
       names.in(precision, "const @_parameters$ @_default_parameters$"),
       {}};
-  for (const ParameterData& p : names.library.parameters) result.values.push_back(number(p.default_value, precision));
+  for (const model::Parameter& p : names.library.parameters())
+    result.values.push_back(number(model::default_of(p), precision));
   return result;
 }
 
 std::vector<Constant> constants(const Names& names) {
   std::vector<Constant> list;
   for (const Table& table : tables(names.library)) list.push_back(constant(names, table));
-  if (!names.library.limbs.empty())
+  if (!names.library.tree.limbs.empty())
     for (const Constant& c : limbs(names)) list.push_back(c);
-  if (names.library.parameters.empty()) return list;
+  if (names.library.parameters().empty()) return list;
   const std::size_t first = list.size();
   for (const Precision& precision : kPrecisions) list.push_back(default_parameters(names, precision));
   list[first].before.insert(

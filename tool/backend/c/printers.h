@@ -36,7 +36,7 @@ std::string number(double value, const Precision& precision);
 std::string wrapped(const std::string& head, const std::vector<std::string>& items, const std::string& tail);
 
 // A function with its names in C, one per precision.
-struct Callable {
+struct NamedFunction {
   const Function* function = nullptr;
   std::string name, name_in_float;
   bool reads_cache = false;  // it takes the cache, computed beforehand from the parameters
@@ -47,9 +47,9 @@ struct Callable {
 // What the files of a library have in common.
 struct Names {
   const Library& library;
-  std::string prefix;               // `hyl`
-  std::string folder;               // `hyl_c`
-  std::vector<Callable> callables;  // in the order of Library::functions, then Library::updates
+  std::string prefix;                    // `hyl`
+  std::string folder;                    // `hyl_c`
+  std::vector<NamedFunction> functions;  // in the order of Library::functions, then Library::updates
 
   // Replaces @ by the prefix, % by the scalar type, and $ by the suffix of names.
   std::string in(const Precision& precision, std::string text) const;

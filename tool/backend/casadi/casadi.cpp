@@ -7,8 +7,8 @@
 namespace robcogen::backend::casadi {
 namespace {
 
-using c::Callable;
 using c::comment;
+using c::NamedFunction;
 using c::Names;
 using c::quoted;
 using c::wrapped;
@@ -30,7 +30,7 @@ struct Matrix {
 
 Matrix argument(const Library& library, const InputArray& input, const std::string& name) {
   const std::size_t size = input.elements.size();
-  if (input.role == Role::parameters) return {name, library.parameters.size(), 1, {}, true};
+  if (input.role == Role::parameters) return {name, library.tree.parameters.size(), 1, {}, true};
   if (input.role == Role::link_wrenches) return {name, 6, size / 6};
   return {name, size, 1};
 }
@@ -93,10 +93,10 @@ std::string tables(const std::string& function, const std::vector<Matrix>& list,
          choice("const casadi_int *" + function + "_sparsity_" + end, patterns);
 }
 
-std::string print_function(const Names& names, const Callable& c) {
+std::string print_function(const Names& names, const NamedFunction& c) {
   const std::string function = names.prefix + "_casadi" + c.name.substr(names.prefix.size());
   const Program& program = c.function->program;
-  const std::vector<Parameter> list = parameters(program, c::dialect(c::kDouble, false));
+  const std::vector<KernelArray> list = parameters(program, c::dialect(c::kDouble, false));
   std::vector<Matrix> in, out;
   for (std::size_t i = 0; i < program.inputs.size(); ++i)
     in.push_back(argument(names.library, program.inputs[i], list[i].name));
@@ -148,7 +148,7 @@ std::string print_function(const Names& names, const Callable& c) {
          wrapped("  " + c.name + "(", arguments, ");") + results + "  return 0;\n}\n";
 }
 
-bool takes_inputs(const Callable& c) {
+bool takes_inputs(const NamedFunction& c) {
   return c.function->group != c::kParametersGroup && !c.function->program.inputs.empty();
 }
 
@@ -173,9 +173,9 @@ OutputFile print(const Library& library) {
           "#elif defined(__GNUC__)\n#define CASADI_EXPORT __attribute__((visibility(\"default\")))\n"
           "#else\n#define CASADI_EXPORT\n#endif\n#endif\n\n";
   const std::string path = output(names.prefix);
-  if (names.callables.empty()) return {path, text};
+  if (names.functions.empty()) return {path, text};
   // A function that nothing calls is a warning.
-  if (std::any_of(names.callables.begin(), names.callables.end(), takes_inputs))
+  if (std::any_of(names.functions.begin(), names.functions.end(), takes_inputs))
     text += comment("A null pointer as argument means zero.") + "static const casadi_real *" + given +
             "(const casadi_real *argument, casadi_real *memory, size_t size) {\n"
             "  if (argument) return argument;\n"
@@ -194,7 +194,7 @@ OutputFile print(const Library& library) {
           "  for (column = 0; column < pattern[1]; ++column)\n"
           "    for (k = pattern[2 + column]; k < pattern[3 + column]; ++k)\n"
           "      result[k] = from[column * pattern[0] + pattern[3 + pattern[1] + k]];\n}\n";
-  for (const Callable& c : names.callables)
+  for (const NamedFunction& c : names.functions)
     if (c.function->group != c::kParametersGroup) text += print_function(names, c);
   return {path, text};
 }

@@ -167,7 +167,7 @@ std::vector<std::string> names_in_line(const Arrangement& arranged, std::size_t 
   return names;
 }
 
-const Parameter& output_parameter(const Arrangement& arranged, std::size_t output) {
+const KernelArray& output_parameter(const Arrangement& arranged, std::size_t output) {
   return arranged.parameters[arranged.program.inputs.size() + output];
 }
 

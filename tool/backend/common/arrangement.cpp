@@ -21,7 +21,7 @@ bool is_bound(symbolic::Role role) {
   return role == Role::parameters || role == Role::joint_sine || role == Role::joint_cosine;
 }
 
-std::vector<Parameter> claim_parameters(const Program& program, const Dialect& dialect, NameScope& scope) {
+std::vector<KernelArray> claim_parameters(const Program& program, const Dialect& dialect, NameScope& scope) {
   std::vector<std::vector<std::string>> elements;
   for (const symbolic::InputArray& array : program.inputs) {
     elements.emplace_back();
@@ -31,7 +31,7 @@ std::vector<Parameter> claim_parameters(const Program& program, const Dialect& d
       wanted.push_back(shortened(label, dialect.name_limit, dialect.is_reserved));
     elements.back() = claim_all(scope, wanted);
   }
-  std::vector<Parameter> result;
+  std::vector<KernelArray> result;
   for (std::size_t p = 0; p < program.inputs.size(); ++p)
     result.push_back(
         {scope.claim(program.inputs[p].name), false, true, std::move(elements[p]), 1,
@@ -91,7 +91,7 @@ class ArrangementBuilder {
       arranged_.parameters[program_.inputs.size() + p].used = !program_.outputs[p].values.empty();
   }
 
-  std::vector<std::string> element_names(const symbolic::InputArray& input, const Parameter& parameter) const {
+  std::vector<std::string> element_names(const symbolic::InputArray& input, const KernelArray& parameter) const {
     if (!parameter.elements.empty()) return parameter.elements;
     std::vector<std::string> names;
     if (input.role == symbolic::Role::parameters && dialect_.members) {
@@ -104,7 +104,7 @@ class ArrangementBuilder {
     return names;
   }
 
-  std::string element(const Parameter& array, std::size_t k) const { return dialect_.element(array.name, k); }
+  std::string element(const KernelArray& array, std::size_t k) const { return dialect_.element(array.name, k); }
   std::string shortened(const std::string& name) const {
     return backend::shortened(name, dialect_.name_limit, dialect_.is_reserved);
   }
@@ -174,7 +174,7 @@ class ArrangementBuilder {
 
 }  // namespace
 
-std::vector<Parameter> parameters(const Program& program, const Dialect& dialect) {
+std::vector<KernelArray> parameters(const Program& program, const Dialect& dialect) {
   NameScope scope(dialect.is_reserved, dialect.used_names);
   return claim_parameters(program, dialect, scope);
 }

@@ -15,7 +15,7 @@ struct Arrangement : LinePlan {
   const symbolic::Program& program;
   const Dialect& dialect;
   NameScope scope;
-  std::vector<Parameter> parameters = {};
+  std::vector<KernelArray> parameters = {};
   std::vector<Line> bindings = {};              // if Dialect::binds_parameters
   std::vector<std::string> input_names = {};    // by flat index: `q[1]`
   std::vector<std::string> input_sources = {};  // by flat index: the array or the binding that this text refers to
@@ -47,7 +47,7 @@ void add_names(const Arrangement& arranged, const symbolic::Operand& o, int lane
 std::vector<std::string> names_in_line(const Arrangement& arranged, std::size_t statement);
 
 // The array of an output, and one of its elements.
-const Parameter& output_parameter(const Arrangement& arranged, std::size_t output);
+const KernelArray& output_parameter(const Arrangement& arranged, std::size_t output);
 std::string target(const Arrangement& arranged, std::size_t output, std::size_t element);
 
 // The angle that supplies the sine or cosine of this argument. This is the whole value if the argument is a lane of it

@@ -6,7 +6,8 @@ namespace robcogen::backend {
 
 const Function& right_sides(const Library& library, const Function& function) {
   const std::string& name = function.solved->right_sides.name;
-  return *std::find_if(library.stages.begin(), library.stages.end(), [&](const Function& f) { return f.name == name; });
+  const std::vector<Function>& all = library.right_sides;
+  return *std::find_if(all.begin(), all.end(), [&](const Function& f) { return f.name == name; });
 }
 
 Function column_solution(const symbolic::SolvedColumns& solved) {

@@ -7,7 +7,7 @@
 
 namespace robcogen::backend {
 
-// The stage that such a function calls.
+// The function that computes the right-hand sides.
 const Function& right_sides(const Library& library, const Function& function);
 
 // The solution of one column, as an internal function of the library.

@@ -27,9 +27,6 @@ struct ConstantList {
 // Joints, coupled joints, links, frames and limbs, in SI units. Link 0 is the base; its parent_joint is -1.
 std::vector<ConstantList> constants(const Library& library);
 
-// Whether joints follow others through loops: joint_positions computes their positions, because they have no factors.
-bool has_closures(const Library& library);
-
 // Describes the lists and their members, one text each.
 std::vector<std::string> describe_constants(const Library& library);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "backend/library.h"
 
@@ -13,13 +14,17 @@ namespace robcogen::backend {
 // these.
 std::string identity(const Library& library);
 
-// The group in whose source file the names are defined.
-std::string group_of_identity(const Library& library);
+// The names that the source file of a group defines: one with this hash, and one that a program can hold once only.
+// None for all groups but one.
+std::vector<std::string> identity_names(const Library& library, const std::string& group);
+// The name with the hash.
+std::string name_of_model(const Library& library);
 
 // The macro with which headers contain the reference. The CMake functions define it for all who link a library.
 inline constexpr const char* kRefersToModel = "ROBCOGEN_REFERS_TO_MODEL";
 
-// The name that exists once, after that of the library.
-inline constexpr const char* kOnlyOne = "two_models_have_the_same_NAME_and_NAMESPACE";
+// The comment on the reference.
+inline constexpr const char* kTwoModels =
+    "A program with two models of this name does not link: give one of them another NAME or NAMESPACE.";
 
 }  // namespace robcogen::backend

@@ -67,7 +67,7 @@ class Emission {
 
   void emit_load(std::size_t k) {
     const symbolic::Block& block = arranged_.blocks.loads[k];
-    const Parameter& input = arranged_.parameters[at(block.array)];
+    const KernelArray& input = arranged_.parameters[at(block.array)];
     Line line{
         Line::Kind::load_block,
         {arranged_.load_names[k]},
@@ -109,9 +109,9 @@ Kernel lower(const Program& program, const std::string& name, const Dialect& dia
   return lines.kernel();
 }
 
-std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
+std::vector<std::string> names_of(const std::vector<KernelArray>& parameters) {
   std::vector<std::string> names;
-  for (const Parameter& p : parameters) names.push_back(p.name);
+  for (const KernelArray& p : parameters) names.push_back(p.name);
   return names;
 }
 

@@ -14,7 +14,7 @@
 namespace robcogen::backend {
 
 // An argument or a result, as an array.
-struct Parameter {
+struct KernelArray {
   std::string name;
   bool output = false;
   bool used = true;                        // an unused parameter needs no name
@@ -50,11 +50,18 @@ struct Line {
 
 struct Kernel {
   std::string name;
-  std::vector<Parameter> parameters;
+  std::vector<KernelArray> parameters;
   std::vector<std::string> functions;  // that the lines call, except through Dialect::pairs_angles
   std::vector<int> widths;             // of values with lanes, ascending
   std::vector<Line> lines;
   std::vector<std::vector<std::string>> results;  // by output: its elements, where Dialect::stores is off
+};
+
+// Numbers of lines that decide which kernels are split, and into how long parts (split_kernel.h).
+struct KernelLengths {
+  std::size_t longest, longest_in_lanes;  // of kernels that stay whole
+  std::size_t cached;                     // of kernels that fit in the instruction cache
+  std::size_t part, short_part;           // short: of kernels with lanes, and of those that exceed the cache
 };
 
 // How a language spells what lowering decides.
@@ -72,6 +79,7 @@ struct Dialect {
   // If at least this many elements of one input have sines and cosines, these are computed together; 0: never. The
   // sines and cosines of elements in between are computed too.
   std::size_t angles_together = 0;
+  KernelLengths lengths{};  // for languages that split long kernels
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each element is a name,
   // an input element or a number, and the printer puts the outputs together at the end.
   bool stores = true;
@@ -109,10 +117,10 @@ Dialect returning_dialect(std::size_t columns);
 
 // Inputs, then outputs, under the names that they have in the function; all marked as used. Variables take their names
 // before arrays do.
-std::vector<Parameter> parameters(const symbolic::Program& program, const Dialect& dialect);
+std::vector<KernelArray> parameters(const symbolic::Program& program, const Dialect& dialect);
 
 // The names as a call lists them.
-std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
+std::vector<std::string> names_of(const std::vector<KernelArray>& parameters);
 
 // The lines of the function, indented by two, after the text `before`, with an empty line in front of each section.
 std::string body(const Kernel& kernel, const Dialect& dialect, std::string before = "");

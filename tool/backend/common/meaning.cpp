@@ -78,8 +78,8 @@ std::string remark_on_positions(const symbolic::Program& program) {
 
 std::string meaning_of_positions(const Library& library) {
   std::string text;
-  if (library.has_spherical_joints()) text = "spherical joints have unit quaternions, scalar part first";
-  if (!library.followers.empty())
+  if (!library.tree.spherical_joints().empty()) text = "spherical joints have unit quaternions, scalar part first";
+  if (!library.tree.followers_in_q().empty())
     text += (text.empty() ? "" : "; ") + std::string("joints that follow through loops come last");
   return text;
 }
@@ -107,7 +107,8 @@ std::vector<std::vector<std::string>> rows_of(
 
 std::vector<std::string> column_joints(const Library& library, const Function& function) {
   std::vector<std::string> names;
-  for (const int j : function.columns) names.push_back(library.joints[at(j)].name);
+  const std::vector<int> coordinates = library.tree.coordinates();
+  for (const int j : function.columns) names.push_back(library.tree.joints[at(coordinates[at(j)])].name);
   return names;
 }
 

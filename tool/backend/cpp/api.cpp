@@ -37,12 +37,9 @@ std::string whole_namespace(const Library& library) {
   return result + namespace_name(library.name);
 }
 
-template <class Item>
-std::vector<std::string> enumerators(const std::vector<Item>& items) {
+std::vector<std::string> enumerators(const std::vector<std::string>& names) {
   NameScope scope;
-  std::vector<std::string> wanted;
-  for (const Item& item : items) wanted.push_back(item.name);
-  return claim_all(scope, wanted);
+  return claim_all(scope, names);
 }
 
 bool is_joint_array(Role role) {
@@ -125,7 +122,7 @@ std::vector<Role> signature(const Program& program, bool with_gravity) {
 
 // The names of an input's elements, for a function that takes them one by one.
 std::vector<std::string> variable_names(const Api& api, const InputArray& input) {
-  const std::vector<std::string>& all = api.library->variables;
+  const std::vector<std::string>& all = api.library->document.variables;
   std::vector<std::string> names;
   for (const std::string& label : input.elements)
     names.push_back(api.variables[static_cast<std::size_t>(std::find(all.begin(), all.end(), label) - all.begin())]);
@@ -140,7 +137,7 @@ std::vector<std::string> members_of(const std::string& object, const std::vector
 
 Overload overload(const Api& api, const Callable& callable, bool with_gravity) {
   const Program& program = callable.function->program;
-  const std::vector<Parameter>& names = callable.parameters;
+  const std::vector<KernelArray>& names = callable.parameters;
   Overload result{&callable, callable.result, {}, !with_gravity, false, {}, {}};
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
@@ -185,20 +182,16 @@ Callable callable(
 // usual ones.
 void name_values(const Library& library, Api& api) {
   NameScope members({"Scalar"});
-  std::vector<std::string> wanted;
-  for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
-  api.parameters = claim_all(members, wanted);
+  api.parameters = claim_all(members, model::names_of(library.parameters()));
   NameScope arguments({kParameterValues, "Matrix", "Parameters", "Scalar", "X", "kernel", "parameters", "variables"});
-  api.variables = claim_all(arguments, library.variables);
+  api.variables = claim_all(arguments, library.document.variables);
 }
 
 // Names the fields that hold the parameters, and the getters of the interfaces. All are members of one type.
 void name_parameters(const Library& library, Api& api) {
-  std::vector<std::string> wanted;
-  for (const ParameterData& p : library.parameters) wanted.push_back(p.name);
   NameScope scope(
       {"DynamicsParameters", "DynamicsValues", "KinematicsParameters", "KinematicsValues", "SharedValues", "robcogen"});
-  api.fields = claim_all(scope, wanted);
+  api.fields = claim_all(scope, model::names_of(library.parameters()));
   for (const std::string& field : api.fields) api.getters.push_back(scope.claim("get_" + field));
 }
 
@@ -217,13 +210,13 @@ Api api(const Library& library) {
   Api result;
   result.library = &library;
   result.space = whole_namespace(library);
-  result.joints = enumerators(library.joints);
-  NameScope of_positions;
-  result.positions = claim_all(of_positions, library.positions);
-  result.coupled = enumerators(library.coupled_joints());
-  result.links = enumerators(library.links);
-  result.frames = enumerators(library.frames);
-  result.limbs = enumerators(library.limbs);
+  const model::KinematicTree& tree = library.tree;
+  result.joints = enumerators(model::names_of(tree, tree.coordinates()));
+  if (model::has_own_positions(tree)) result.positions = enumerators(model::position_names(tree));
+  result.coupled = enumerators(model::coupled_names(tree));
+  result.links = enumerators(model::link_names(tree));
+  result.frames = enumerators(library.frames());
+  result.limbs = enumerators(model::limb_names(tree));
   name_values(library, result);
 
   NameScope kernels;
@@ -250,7 +243,7 @@ Api api(const Library& library) {
     const std::string columns = is_listed ? taken[f.scope].claim(name + "_columns") : "";
     result.callables.push_back(callable(f, kernel_names[i], name, columns, owner(f.program)));
   }
-  for (const Function& f : library.stages) result.stages.push_back(callable(f, f.kernel, f.name));
+  for (const Function& f : library.right_sides) result.right_sides.push_back(callable(f, f.kernel, f.name));
   if (!library.updates.empty()) name_parameters(library, result);
   for (const Function& f : library.updates) result.updates.push_back(callable(f, f.kernel, f.name));
   for (const Function& f : library.numbers) result.numbers.push_back(callable(f, f.kernel, f.name));
@@ -318,7 +311,7 @@ std::vector<Overload> overloads(const Api& api, const std::vector<const Callable
   for (const Callable* callable : callables) {
     const Program& program = callable->function->program;
     result.push_back(overload(api, *callable, true));
-    if (api.library->floating_base) continue;
+    if (api.library->tree.floating_base) continue;
     const std::vector<Role> without = signature(program, false);
     const bool optional = std::none_of(callables.begin(), callables.end(), [&](const Callable* other) {
       return signature(other->function->program, true) == without;

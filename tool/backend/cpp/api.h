@@ -20,14 +20,14 @@ inline constexpr const char* kTrigonometryName = "at";
 // A function of the library with its C++ names.
 struct Callable {
   const Function* function = nullptr;
-  std::string kernel;                           // in namespace `kernel`
-  std::string name;                             // in the function's scope
-  std::string columns;                          // the constant that lists the joints, or the labels, of its columns
-  std::string owner;                            // the type that it is a member of; empty: a free function
-  std::string result = {};                      // the type that it returns
-  std::vector<Parameter> parameters = {};       // of the kernel: inputs, then outputs
-  std::vector<Parameter> core_parameters = {};  // of its core, if it has one
-  symbolic::OperationCount count = {};          // of the function's program
+  std::string kernel;                             // in namespace `kernel`
+  std::string name;                               // in the function's scope
+  std::string columns;                            // the constant that lists the joints, or the labels, of its columns
+  std::string owner;                              // the type that it is a member of; empty: a free function
+  std::string result = {};                        // the type that it returns
+  std::vector<KernelArray> parameters = {};       // of the kernel: inputs, then outputs
+  std::vector<KernelArray> core_parameters = {};  // of its core, if it has one
+  symbolic::OperationCount count = {};            // of the function's program
 };
 
 struct Api {
@@ -37,7 +37,7 @@ struct Api {
   std::vector<std::string> variables;                                         // names of arguments
   std::vector<std::string> parameters;                                        // members of Parameters
   std::vector<Callable> callables;                                            // in the order of Library::functions
-  std::vector<Callable> stages;                                               // called by callables, in no interface
+  std::vector<Callable> right_sides;                                          // called by callables, in no interface
   // For robots with parameters, whose functions take these first.
   std::vector<std::string> fields, getters;  // by parameter
   std::vector<Callable> updates, numbers;

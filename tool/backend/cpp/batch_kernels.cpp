@@ -30,7 +30,7 @@ std::string strided(const BatchArray& array, const std::string& scalar) {
 
 std::vector<BatchArray> batch_arrays(const Program& program) {
   std::vector<BatchArray> result;
-  const std::vector<Parameter> names = parameters(program);
+  const std::vector<KernelArray> names = parameters(program);
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     const InputArray& input = program.inputs[i];
     const auto size = static_cast<int>(input.elements.size());
@@ -49,14 +49,6 @@ std::vector<BatchArray> batch_arrays(const Program& program) {
 bool is_symmetric(const Callable& callable) {
   const std::vector<OutputArray>& outputs = callable.function->program.outputs;
   return outputs.size() == 1 && outputs.front().role == Role::inertia_matrix;
-}
-
-bool takes_single_states(const Callable& callable) {
-  // Eight states in double precision: 256 KB.
-  constexpr int kMaxElements = 4'000;
-  int elements = 0;
-  for (const OutputArray& output : callable.function->program.outputs) elements += output.rows * output.columns;
-  return elements > kMaxElements && !is_symmetric(callable);
 }
 
 std::vector<BatchKernel> batch_kernels(const std::vector<const Callable*>& callables) {

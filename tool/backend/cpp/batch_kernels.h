@@ -25,9 +25,6 @@ std::vector<BatchArray> batch_arrays(const symbolic::Program& program);
 // Whether the result of a function is a single symmetric matrix, whose lower triangle is also available alone.
 bool is_symmetric(const Callable& callable);
 
-// Whether the results of a block of states would outgrow the stacks of threads. States are then taken one by one.
-bool takes_single_states(const Callable& callable);
-
 // A function that is compiled. If the result is a symmetric matrix, a second one writes the lower triangle alone.
 struct BatchKernel {
   const Callable* callable = nullptr;

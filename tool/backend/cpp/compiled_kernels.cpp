@@ -11,7 +11,7 @@ std::string qualified(const CompiledKernel& kernel) {
 
 std::vector<const Callable*> kernels_of(const Api& api, const std::string& group) {
   std::vector<const Callable*> result;
-  for (const Callable& c : api.stages)
+  for (const Callable& c : api.right_sides)
     if (c.function->group == group) result.push_back(&c);
   const std::vector<const Callable*> others = callables_of(api, group);
   result.insert(result.end(), others.begin(), others.end());
@@ -26,8 +26,8 @@ std::vector<const Callable*> callables_of(const Api& api, const std::string& gro
   return result;
 }
 
-std::vector<Parameter> trigonometry_parameters(const Library& library) {
-  std::vector<Parameter> list = parameters(library.trigonometry->angles);
+std::vector<KernelArray> trigonometry_parameters(const Library& library) {
+  std::vector<KernelArray> list = parameters(library.trigonometry->angles);
   list.back() = {"sin_q", true};
   list.push_back({"cos_q", true});
   return list;
@@ -44,23 +44,17 @@ std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& 
   return result;
 }
 
-bool is_kinematics(const std::string& group) {
-  for (const char* word : {"transforms", "jacobian", "velocities", "accelerations"})
-    if (group.rfind(word, 0) == 0) return true;
-  return false;
-}
-
 std::string lanes(int width) {
   return "robcogen::Lanes<Scalar, " + std::to_string(width) + ">";
 }
 
-std::string type_of(const Parameter& parameter) {
+std::string type_of(const KernelArray& parameter) {
   return parameter.width > 1 ? lanes(parameter.width) : "Scalar";
 }
 
-std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail) {
+std::string signature(const std::string& head, const std::vector<KernelArray>& parameters, const char* tail) {
   std::vector<std::string> list;
-  for (const Parameter& p : parameters) {
+  for (const KernelArray& p : parameters) {
     list.push_back((p.output ? type_of(p) : "const " + type_of(p)) + "* " + (p.used ? p.name : "/*" + p.name + "*/"));
   }
   return "template <class Scalar>\n" + declaration(head, list, tail);

@@ -12,7 +12,7 @@ namespace robcogen::backend::cpp {
 struct CompiledKernel {
   std::string name;
   bool is_core = false;  // in namespace `core`
-  std::vector<Parameter> parameters;
+  std::vector<KernelArray> parameters;
   const Callable* callable = nullptr;  // null: joint_trigonometry
 };
 
@@ -25,21 +25,18 @@ std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& 
 // The functions of a group in their order; `parameters` and `trigonometry` are groups too.
 std::vector<const Callable*> callables_of(const Api& api, const std::string& group);
 
-// The same functions, preceded by the stages that they call.
+// The same functions, preceded by those of right-hand sides that they call.
 std::vector<const Callable*> kernels_of(const Api& api, const std::string& group);
 
 // The parameters of joint_trigonometry.
-std::vector<Parameter> trigonometry_parameters(const Library& library);
-
-// Whether a group has functions of frames: transforms, Jacobians, velocities and accelerations.
-bool is_kinematics(const std::string& group);
+std::vector<KernelArray> trigonometry_parameters(const Library& library);
 
 // `template <class Scalar> HEAD(PARAMETERS)TAIL`, with HEAD `void name`. Unused parameters have no name.
-std::string signature(const std::string& head, const std::vector<Parameter>& parameters, const char* tail);
+std::string signature(const std::string& head, const std::vector<KernelArray>& parameters, const char* tail);
 
 // `robcogen::Lanes<Scalar, 4>`.
 std::string lanes(int width);
 // The type of a parameter's elements.
-std::string type_of(const Parameter& parameter);
+std::string type_of(const KernelArray& parameter);
 
 }  // namespace robcogen::backend::cpp

@@ -1,5 +1,7 @@
 #include "backend/cpp/lower.h"
 
+#include <utility>
+
 #include "backend/cpp/layout.h"
 #include "backend/cpp/names.h"
 #include "support/concat.h"
@@ -7,11 +9,6 @@
 
 namespace robcogen::backend::cpp {
 namespace {
-
-// Numbers of lines: of kernels that fit in the instruction cache (64 KB, 21 bytes a line on x86-64), of the parts of
-// longer kernels, and of the longest unsplit kernel with lanes. A processor keeps few values with lanes in registers,
-// so that short parts take less time from that length on.
-constexpr std::size_t kCached = 3000, kShortPart = 200, kLongestInLanes = 1000;
 
 std::string element(const std::string& array, std::size_t k) {
   return array + "[" + std::to_string(k) + "]";
@@ -78,6 +75,7 @@ const Dialect& dialect() {
     d.line_limit = kColumns - kIndentation;
     d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;
+    d.lengths = kLengthsOfTemplates;
     d.binds_parameters = true;
     d.literal = [](const Number& value, Texts& texts) { return literal(value.value(), texts); };
     d.type = type;
@@ -89,7 +87,7 @@ const Dialect& dialect() {
   return cpp;
 }
 
-std::vector<Parameter> parameters(const symbolic::Program& program) {
+std::vector<KernelArray> parameters(const symbolic::Program& program) {
   return backend::parameters(program, dialect());
 }
 
@@ -97,13 +95,14 @@ Kernel lower(const symbolic::Program& program, const std::string& name) {
   return backend::lower(program, name, dialect());
 }
 
-bool is_split(const Kernel& kernel) {
-  return kernel.lines.size() > (kernel.widths.empty() ? kLongest : kLongestInLanes);
-}
-
-Parts split(const Kernel& kernel) {
-  const bool is_short = !kernel.widths.empty() || kernel.lines.size() > kCached;
-  return in_parts(kernel, is_short ? kShortPart : kPart, dialect());
+std::optional<Kernel> of_small_angles(Kernel kernel) {
+  bool is_marked = false;
+  for (Line& line : kernel.lines) {
+    if (line.width > 1 && line.kind == Line::Kind::sincos_of) return std::nullopt;
+    line.is_small = line.width > 1 && line.kind == Line::Kind::sincos;
+    is_marked = is_marked || line.is_small;
+  }
+  return is_marked ? std::optional(std::move(kernel)) : std::nullopt;
 }
 
 Kernel lower_values(const symbolic::Program& program) {

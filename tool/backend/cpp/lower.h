@@ -1,34 +1,31 @@
 // C++ as a dialect: how the lines of a kernel are spelled.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "backend/common/lower.h"
-#include "backend/common/parts.h"
+#include "backend/common/split_kernel.h"
 
 namespace robcogen::backend::cpp {
 
-using backend::Handed;
 using backend::Kernel;
+using backend::KernelArray;
 using backend::Line;
-using backend::Parameter;
-using backend::Parts;
+using backend::LiveValues;
+using backend::SplitKernel;
 
 const Dialect& dialect();
 
 // Inputs, then outputs, under the names that they have in the kernel; all marked as used.
-std::vector<Parameter> parameters(const symbolic::Program& program);
+std::vector<KernelArray> parameters(const symbolic::Program& program);
 
 Kernel lower(const symbolic::Program& program, const std::string& name);
 
-// Whether the kernel is cut into parts.
-bool is_split(const Kernel& kernel);
-
-// Cuts the kernel into parts that are as long as possible without costing run time. Parts are short if the kernel has
-// lanes, for the sake of registers, or if its code is larger than any processor's instruction cache, because the run
-// time then grows with the size of the code.
-Parts split(const Kernel& kernel);
+// The kernel with sines in lanes that do not test for large angles. None if it has no such sines, or if it computes
+// some sines in lanes together with others, which have no such version.
+std::optional<Kernel> of_small_angles(Kernel kernel);
 
 // The lines of the program without stores; Kernel::results holds the outputs.
 Kernel lower_values(const symbolic::Program& program);

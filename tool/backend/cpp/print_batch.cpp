@@ -219,7 +219,7 @@ std::string print_batch(const Api& api, const std::string& path) {
 std::string print_batch_choice(const Api& api, const std::string& path) {
   std::vector<std::string> bodies, choosers, headers = {"\"robcogen/batch.h\"", "\"robcogen/version.h\""}, own;
   for (const BatchKernel& k : batch_kernels(api)) {
-    const bool is_in_blocks = !takes_single_states(*k.callable);
+    const bool is_in_blocks = !k.callable->function->form.takes_single_states;
     if (is_in_blocks) bodies.push_back(batch_body_declaration(k, " noexcept;"));
     if (!is_in_blocks) own = {"\"" + kernels_path(folder(*api.library)) + "\""};
     choosers.push_back(

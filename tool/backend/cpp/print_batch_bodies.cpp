@@ -23,14 +23,14 @@ std::string lanes_of(const BatchArray& array) {
 std::optional<Kernel> kernel_in_place(const Callable& callable) {
   if (!is_symmetric(callable)) return std::nullopt;
   Kernel kernel = lower(callable.function->program, callable.kernel);
-  return kernel.lines.size() <= kLongest ? std::optional(std::move(kernel)) : std::nullopt;
+  return is_long(kernel, dialect()) ? std::nullopt : std::optional(std::move(kernel));
 }
 
 // A kernel that writes to columns. It is not inlined into the loop over blocks, because it would then keep the address
 // of each column in memory.
 std::string column_kernel(const Kernel& kernel) {
   std::vector<std::string> list;
-  for (const Parameter& p : kernel.parameters)
+  for (const KernelArray& p : kernel.parameters)
     list.push_back((p.output ? "const Columns " : "const Scalar* ") + (p.used ? p.name : "/*" + p.name + "*/"));
   return "template <class Scalar, class Columns>\n" +
          declaration("[[gnu::noinline]] void " + kernel.name, list, " noexcept {") + body(kernel) + "}\n";
@@ -70,7 +70,7 @@ std::string definition(const Api& api, const BatchKernel& kernel, bool in_place)
 // The kernels that take blocks of states.
 std::vector<BatchKernel> in_blocks(const Api& api, const std::string& group) {
   std::vector<BatchKernel> kernels = batch_kernels(callables_of(api, group));
-  std::erase_if(kernels, [](const BatchKernel& k) { return takes_single_states(*k.callable); });
+  std::erase_if(kernels, [](const BatchKernel& k) { return k.callable->function->form.takes_single_states; });
   return kernels;
 }
 

@@ -31,8 +31,8 @@ std::string caller(const Api& api, const Callable& callable) {
       parameters = true;
     } else {
       for (const std::string& label : input.elements)
-        for (std::size_t i = 0; i < api.library->variables.size(); ++i)
-          if (api.library->variables[i] == label) arguments.push_back("variables[" + std::to_string(i) + "]");
+        for (std::size_t i = 0; i < api.library->document.variables.size(); ++i)
+          if (api.library->document.variables[i] == label) arguments.push_back("variables[" + std::to_string(i) + "]");
       variables = true;
     }
   }
@@ -48,9 +48,9 @@ std::string caller(const Api& api, const Callable& callable) {
 std::string amounts_of(const Callable& homogeneous) {
   const symbolic::Program& program = homogeneous.function->factors->amounts;
   const Kernel kernel = lower(program, "amounts_" + homogeneous.kernel);
-  std::vector<Parameter> list;
+  std::vector<KernelArray> list;
   for (const Role role : {Role::parameters, Role::variables}) {
-    Parameter parameter{role == Role::parameters ? "parameters" : "variables", false, false};
+    KernelArray parameter{role == Role::parameters ? "parameters" : "variables", false, false};
     for (std::size_t p = 0; p < program.inputs.size(); ++p)
       if (program.inputs[p].role == role && kernel.parameters[p].used) parameter = kernel.parameters[p];
     list.push_back(std::move(parameter));
@@ -84,8 +84,9 @@ class Tables {
     add("Factor", "kFactors", factors_);
     add("ProductOfFactors", "kTransforms", transforms_);
     std::vector<std::string> fields = {
-        quoted(library.robot), std::to_string(library.parameters.size()), std::to_string(library.variables.size()),
-        std::to_string(library.frames.size()), span("kTransforms", 0, transforms_.size())};
+        quoted(library.title()), std::to_string(library.parameters().size()),
+        std::to_string(library.document.variables.size()), std::to_string(library.frames().size()),
+        span("kTransforms", 0, transforms_.size())};
     std::vector<std::string> remarks = {"name", "parameters", "variables", "frames", "transforms"};
     if (!differentiated_.empty()) {
       std::vector<std::vector<Field>> rows;

@@ -26,7 +26,7 @@ std::string instantiations(const Api& api, const std::string& group) {
 std::string print_kernel_declarations(const Api& api, const std::string& path) {
   std::string kernels, cores;
   for (const std::vector<Callable>* list :
-       {&api.stages, &api.callables, &api.updates, &api.numbers, &api.trigonometry}) {
+       {&api.right_sides, &api.callables, &api.updates, &api.numbers, &api.trigonometry}) {
     for (const Callable& c : *list) {
       kernels += signature("void " + c.kernel, c.parameters, " noexcept;");
       if (c.function->parts) cores += signature("void " + c.kernel, c.core_parameters, " noexcept;");

@@ -10,6 +10,7 @@
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
+#include "support/index.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -98,12 +99,12 @@ std::string method(const Overload& overload) {
 
 // Aliases for the names of types inside the class template of a factor.
 std::string types_of_members(const Api& api) {
-  const std::string size = api.library->floating_base ? "6 + kDof" : "kDof";
+  const std::string size = api.library->tree.floating_base ? "6 + kDof" : "kDof";
   std::string text =
       "  template <int kRows, int kColumns>\n  using Matrix = robcogen::Matrix<Scalar, kRows, kColumns>;\n  using "
       "InertiaMatrix = Matrix<" +
       size + ", " + size + ">;\n  using JointState = JointVector<Scalar>;\n";
-  if (api.library->has_own_positions()) text += "  using JointPositions = PositionVector<Scalar>;\n";
+  if (model::has_own_positions(api.library->tree)) text += "  using JointPositions = PositionVector<Scalar>;\n";
   if (api.takes_sines())
     text += "  using " + std::string(kTrigonometryType) + " = Basic" + kTrigonometryType + "<Scalar>;\n";
   return text;
@@ -208,6 +209,7 @@ std::string numbers_of(const std::vector<int>& numbers) {
 
 std::string robot_type(const Api& api) {
   const Library& library = *api.library;
+  const model::KinematicTree& tree = library.tree;
   const auto constant = [](const std::string& type, const std::string& name, const std::string& value) {
     return "  static constexpr " + type + " " + name + " = " + value + ";\n";
   };
@@ -215,45 +217,45 @@ std::string robot_type(const Api& api) {
   std::vector<std::string> names = {"Gravity",      "InertiaMatrix", "JointState",
                                     "LinkWrenches", "Scalar",        "SpatialAcceleration",
                                     "Twist",        "Vector3",       "Wrench"};
-  if (library.floating_base)
+  if (library.tree.floating_base)
     names.insert(names.begin(), {"InverseDynamics", "GeneralizedAcceleration", "GeneralizedForce"});
   for (const Callable& c : api.callables)
     if (returns_object(c.function->program)) names.push_back(result_type(*c.function));
   for (const Callable* c : callables_with_structures(api)) names.push_back(c->result);
   if (api.takes_sines()) names.push_back(kTrigonometryType);
-  if (library.has_own_positions()) names.emplace_back("JointPositions");
+  if (model::has_own_positions(library.tree)) names.emplace_back("JointPositions");
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) types += "  using " + name + " = " + kHere + "::" + name + ";\n";
   types +=
       std::string("  template <int kRows, int kColumns>\n  using Matrix = ") + kHere + "::Matrix<kRows, kColumns>;\n";
   std::string positions;
-  if (library.has_own_positions()) {
-    const std::string first = numbers_of(library.quaternions());
-    positions =
-        constant("int", "kPositions", std::to_string(library.positions.size())) +
-        constant("std::array<int, " + std::to_string(library.quaternions().size()) + ">", "kQuaternions", first);
+  if (model::has_own_positions(library.tree)) {
+    const std::vector<int> first = model::quaternions(tree);
+    positions = constant("int", "kPositions", std::to_string(tree.position_count())) +
+                constant("std::array<int, " + std::to_string(first.size()) + ">", "kQuaternions", numbers_of(first));
   }
-  if (!library.followers.empty()) {
+  if (const std::vector<int> followers = tree.followers_in_q(); !followers.empty()) {
     std::vector<std::string> assembled;
-    for (const Library::Follower& f : library.followers) assembled.push_back(model_number(f.assembled));
+    for (const int j : followers) assembled.push_back(model_number(model::evaluate(tree.coupling_of(j)->offset)));
     positions += constant(
         "std::array<double, " + std::to_string(assembled.size()) + ">", "kAssembledFollowers", braced(assembled));
   }
-  const auto is_assembled = [](const JointData& joint) { return joint.assembled != 0; };
-  if (std::any_of(library.joints.begin(), library.joints.end(), is_assembled)) {
+  const std::vector<int> joints = tree.coordinates();
+  const auto position = [&](int joint) { return tree.joints[at(joint)].assembled_position(); };
+  if (std::any_of(joints.begin(), joints.end(), [&](int joint) { return position(joint) != 0; })) {
     std::vector<std::string> assembled;
-    for (const JointData& joint : library.joints) assembled.push_back(model_number(joint.assembled));
+    for (const int joint : joints) assembled.push_back(model_number(position(joint)));
     positions += constant("std::array<double, kDof>", "kAssembledCoordinates", braced(assembled));
   }
   std::vector<std::string> parts = {
       types,
-      constant("int", "kDof", std::to_string(library.joints.size())) + positions +
-          constant("int", "kLinkCount", std::to_string(library.links.size())) +
-          constant("bool", "kFloatingBase", library.floating_base ? "true" : "false") +
+      constant("int", "kDof", std::to_string(tree.dof())) + positions +
+          constant("int", "kLinkCount", std::to_string(tree.link_count())) +
+          constant("bool", "kFloatingBase", library.tree.floating_base ? "true" : "false") +
           constant("auto", "kJointLimits", "::" + api.space + "::kJointLimits") +
           (api.limbs.empty() ? "" : constant("auto", "limbs", "::" + api.space + "::limbs")) +
-          (library.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "") +
-          (library.has_pitches() ? constant("auto", "kJointPitches", "::" + api.space + "::kJointPitches") : "")};
+          (library.tree.has_drives() ? constant("auto", "kJointDrives", "::" + api.space + "::kJointDrives") : "") +
+          (library.tree.has_pitches() ? constant("auto", "kJointPitches", "::" + api.space + "::kJointPitches") : "")};
   for (const std::string& group : library.groups) {
     std::string members;
     for (const Overload& o : overloads(api, group, "")) members += member_function(o);
@@ -273,10 +275,11 @@ std::string conventions(const Api& api) {
   const Library& library = *api.library;
   std::string text = "All functions are pure: no state, no allocation, no exceptions. Units are SI, angles in rad.";
   if (library.has_robot()) text += " Joint vectors are in the order of " + api.space + "::Joint.";
-  if (library.has_own_positions()) text += " Positions are in the order of " + api.space + "::Position";
-  if (library.has_spherical_joints()) text += "; their quaternions must be of unit length (robcogen/positions.h)";
-  if (!library.followers.empty()) text += "; close_loops computes the last ones";
-  if (library.has_own_positions()) text += ".";
+  if (model::has_own_positions(library.tree)) text += " Positions are in the order of " + api.space + "::Position";
+  if (!library.tree.spherical_joints().empty())
+    text += "; their quaternions must be of unit length (robcogen/positions.h)";
+  if (!library.tree.followers_in_q().empty()) text += "; close_loops computes the last ones";
+  if (model::has_own_positions(library.tree)) text += ".";
   const bool single = library.has_single_precision;
   if (single) text += " " + api.space + "::f32 has the same types and functions in single precision.";
   if (!library.has_robot()) return comment(text);

@@ -1,13 +1,14 @@
 // <name>/kernel/<group>.h, which contains the text of the kernels.
 #include <algorithm>
+#include <optional>
 
 #include "backend/common/cache.h"
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
-#include "backend/cpp/small_angles.h"
 #include "backend/cpp/solve_columns.h"
+#include "support/index.h"
 #include "support/parallel.h"
 #include "symbolic/count.h"
 
@@ -59,32 +60,32 @@ std::string definition(const Kernel& kernel, const std::string& specifiers = "")
 constexpr const char* kParts = "parts";
 
 // Parts are not inlined: the compiler would merge them into their only caller and undo the split.
-std::string print_parts(const Parts& parts, const std::string& name) {
+std::string print_parts(const SplitKernel& split, const std::string& name) {
   std::vector<std::string> list;
-  for (const Kernel& part : parts.kernels) {
+  for (const Kernel& part : split.parts) {
     const std::string number = std::to_string(list.size() + 1);
     list.push_back(
-        comment("Part " + number + " of " + std::to_string(parts.kernels.size()) + " of " + name + ".") +
+        comment("Part " + number + " of " + std::to_string(split.parts.size()) + " of " + name + ".") +
         definition(part, "[[gnu::noinline]] "));
   }
   return in_namespace(kParts, paragraphs(list));
 }
 
 // The kernel that calls the parts.
-std::string definition(const Kernel& kernel, const Parts& parts) {
+std::string definition(const Kernel& kernel, const SplitKernel& split) {
   std::string text = signature("void " + kernel.name, kernel.parameters, " noexcept {");
-  for (const Handed& h : parts.handed)
-    text += "  " + type_of(h.array) + " " + h.array.name + "[" + std::to_string(h.size) + "];\n";
-  for (const Kernel& part : parts.kernels)
+  for (const LiveValues& live : split.live)
+    text += "  " + type_of(live.array) + " " + live.array.name + "[" + std::to_string(live.size) + "];\n";
+  for (const Kernel& part : split.parts)
     text += call(kParts + ("::" + part.name) + "<Scalar>", names_of(part.parameters), 2);
   return text + "}\n";
 }
 
 // The kernel after these comments, preceded by its parts if it is long.
 std::string print_whole_or_parts(const std::string& comments, const Kernel& kernel) {
-  if (!is_split(kernel)) return comments + definition(kernel);
-  const Parts parts = split(kernel);
-  return paragraphs({print_parts(parts, kernel.name), comments + definition(kernel, parts)});
+  if (!is_long(kernel, dialect())) return comments + definition(kernel);
+  const SplitKernel split = split_kernel(kernel, dialect());
+  return paragraphs({print_parts(split, kernel.name), comments + definition(kernel, split)});
 }
 
 // `0:HAA, 1:HFE`
@@ -128,7 +129,7 @@ std::string comments_in_lanes(const Callable& callable) {
 // The function that chooses between the two kernels.
 std::string print_chooser(
     const Callable& callable,
-    const std::vector<Parameter>& parameters,
+    const std::vector<KernelArray>& parameters,
     const std::string& specifiers = "") {
   const std::vector<std::string> names = names_of(parameters);
   const auto call_in = [&](const char* space) { return call(space + ("::" + callable.kernel), names, 4); };
@@ -164,31 +165,18 @@ std::string print_both(
       {in_namespace(kInLanes, in_lanes), in_namespace(kOneByOne, one_by_one), summary(callable) + chooser});
 }
 
-// The largest number of instructions of a core that is also compiled into its caller, because the cost of the call is
-// measurable there. All other cores are compiled once.
-constexpr int kSmallCore = 64;
-
-// Whether a kernel calls functions for its sines and for its core, however short the core is, instead of containing
-// them: kernels of the kinematics are many, and compile in half the time then. The calls hardly show where sines take
-// more than one vector.
-bool calls_parts(const Callable& callable) {
-  constexpr std::size_t kInVector = 4;
-  return is_kinematics(callable.function->group) && callable.function->parts->read.size() > kInVector;
-}
-
 std::string print_core(const Callable& callable) {
   const auto& [core, in_lanes, read, angles] = *callable.function->parts;
-  const auto print = [&](const std::string& remarks, const symbolic::Program& program) {
+  const auto print = [&](const std::string& remarks, const symbolic::Program& program, bool is_inline) {
     const Kernel kernel = lower(program, callable.kernel);
-    const symbolic::OperationCount count = symbolic::count(program);
-    const std::string comments = remarks + comment(counts(count));
-    if (count.instructions > kSmallCore || calls_parts(callable)) return print_whole_or_parts(comments, kernel);
-    return comments + definition(kernel, kInline);
+    const std::string comments = remarks + comment(counts(program));
+    return is_inline ? comments + definition(kernel, kInline) : print_whole_or_parts(comments, kernel);
   };
-  if (!in_lanes) return print(summary(callable), core);
+  const symbolic::KernelForm& form = callable.function->form;
+  if (!in_lanes) return print(summary(callable), core, form.inlines_core);
   return print_both(
-      callable, print(comments_in_lanes(callable), *in_lanes), print("", core),
-      print_chooser(callable, callable.core_parameters, kInline));
+      callable, print(comments_in_lanes(callable), *in_lanes, form.inlines_core_in_lanes),
+      print("", core, form.inlines_core), print_chooser(callable, callable.core_parameters, kInline));
 }
 
 // Computes the sines and cosines of these angles, each into its element of sin_q and cos_q, by functions of this
@@ -201,15 +189,13 @@ std::string sines_and_cosines(
   if (read.empty()) return "";
   std::vector<std::string> places;
   for (const int k : read) places.push_back(std::to_string(k));
-  if (read.back() >= static_cast<int>(library.joints.size())) {
+  if (read.back() >= library.tree.dof()) {
     const Kernel kernel = lower_values(angles);
     return body(kernel) + numbered_list("const Scalar angles[]", kernel.results.front(), 2) +
            template_call(space + "::sincos_to", places, "(angles, sin_q, cos_q)", 2);
   }
+  if (!symbolic::are_together(read)) return template_call(space + "::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const int first = read.front(), count = read.back() - first + 1;
-  // Consecutive joints are computed together; a few unused ones in between do no harm.
-  if (count > 2 * static_cast<int>(read.size()))
-    return template_call(space + "::sincos_at", places, "(q, sin_q, cos_q)", 2);
   const auto from = [&](const std::string& array) {
     return first == 0 ? array : array + " + " + std::to_string(first);
   };
@@ -217,21 +203,12 @@ std::string sines_and_cosines(
   return call(name, {from("q"), from("sin_q"), from("cos_q")}, 2);
 }
 
-// The largest number of instructions of a kernel in lanes that computes its own sines. Passing them to a core, from an
-// array into lanes, would take about fifty more. All other kernels call a core in lanes, which is written and compiled
-// once.
-constexpr int kSmallInLanes = 512;
-
-bool has_own_lanes(const Function& function) {
-  return function.in_lanes && (!function.parts || symbolic::count(*function.in_lanes).instructions <= kSmallInLanes);
-}
-
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
   const symbolic::AngleParts& parts = *callable.function->parts;
   std::string text = comment("Computes sines and cosines of the positions, then calls core::" + callable.kernel + ".") +
                      comment(counts(callable.count));
-  const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
+  const bool is_in_lanes = callable.function->in_lanes && !callable.function->form.has_own_lanes;
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
   if (const int sums = symbolic::count(parts.angles).add; sums > 0)
     text += comment("Additions for sums of angles: " + std::to_string(sums) + ".");
@@ -239,7 +216,8 @@ std::string print_caller(const Library& library, const Callable& callable) {
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // The arrays are stored as vectors and read one by one: a load from a vector across two cache lines would stall.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
-  text += sines_and_cosines(library, parts.read, parts.angles, calls_parts(callable) ? "robcogen::called" : "robcogen");
+  text += sines_and_cosines(
+      library, parts.read, parts.angles, callable.function->form.calls_sines ? "robcogen::called" : "robcogen");
   return text + call("core::" + callable.kernel, names_of(callable.core_parameters), 2) + "}\n";
 }
 
@@ -251,7 +229,7 @@ std::string print_one_by_one(const Library& library, const Callable& callable, c
       comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
 }
 
-// A kernel that calls a stage for the right-hand sides, and solves for them column by column.
+// A kernel that calls a function of the right-hand sides, and solves for them column by column.
 std::string print_solver(const Callable& callable) {
   return summary(callable) + signature("void " + callable.kernel, callable.parameters, " noexcept {") +
          solve_columns(callable) + "}\n";
@@ -281,15 +259,15 @@ std::string print_solutions(const std::vector<const Callable*>& callables) {
 std::string print_kernel(const Library& library, const Callable& callable) {
   const Function& function = *callable.function;
   if (function.solved) return print_solver(callable);
-  if (!has_own_lanes(function)) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
+  if (!function.form.has_own_lanes) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
   const symbolic::Program& program = *function.in_lanes;
   const Kernel kernel = lower(program, callable.kernel);
   const std::string comments = comments_in_lanes(callable) + comment(counts(program));
   const std::string one_by_one = print_one_by_one(library, callable);
-  if (!is_split(kernel) && has_small_angles(program, kernel))
-    return print_both(
-        callable, comments + definition(of_small_angles(kernel), kInline), one_by_one,
-        print_chooser_of_small_angles(callable));
+  if (function.form.has_small_angles && !is_long(kernel, dialect()))
+    if (const std::optional<Kernel> small = of_small_angles(kernel))
+      return print_both(
+          callable, comments + definition(*small, kInline), one_by_one, print_chooser_of_small_angles(callable));
   return print_both(
       callable, print_whole_or_parts(comments, kernel), one_by_one, print_chooser(callable, callable.parameters));
 }
@@ -297,12 +275,13 @@ std::string print_kernel(const Library& library, const Callable& callable) {
 // The sines and cosines of all angles. For prismatic joints these are the sine and cosine of zero.
 std::string print_joint_trigonometry(const Library& library) {
   symbolic::Program angles = library.trigonometry->angles;
+  const std::vector<int> joints = library.tree.coordinates();
   std::vector<symbolic::Operand> values;
   std::vector<int> turning;
   std::string rest;
   for (int k = 0; k < library.trigonometry->angle_count; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    if (index < library.joints.size() && !turns(library.joints[index].type)) {
+    if (index < joints.size() && !model::turns(library.tree.joints[at(joints[index])].type)) {
       const std::string place = "[" + std::to_string(k) + "] = ";
       rest += "  sin_q" + place + "Scalar(0.0);\n  cos_q" + place + "Scalar(1.0);\n";
       continue;
@@ -312,7 +291,7 @@ std::string print_joint_trigonometry(const Library& library) {
   }
   angles.outputs.front().rows = static_cast<int>(values.size());
   angles.outputs.front().values = values;
-  std::vector<Parameter> list = lower_values(angles).parameters;
+  std::vector<KernelArray> list = lower_values(angles).parameters;
   list.back() = {"sin_q", true, library.trigonometry->angle_count > 0};
   list.push_back({"cos_q", true, library.trigonometry->angle_count > 0});
   const std::string body = sines_and_cosines(library, turning, angles, "robcogen") + rest;
@@ -327,9 +306,7 @@ std::string print_joint_trigonometry(const Library& library) {
 std::string conventions(const Library& library) {
   const std::string overlap = "Outputs must not overlap inputs.";
   if (!library.has_robot()) return overlap;
-  std::vector<std::string> joints;
-  for (const JointData& joint : library.joints) joints.push_back(joint.name);
-  return overlap + " Joints: " + numbered(joints) + ".";
+  return overlap + " Joints: " + numbered(model::names_of(library.tree, library.tree.coordinates())) + ".";
 }
 
 // The legend of the names of values, for kernels of the dynamics.

@@ -40,40 +40,42 @@ std::string array(
   return remarked_list("inline constexpr std::array<" + type + ", " + size + "> " + name, items, remarks);
 }
 
-template <class Item>
-std::string names(const std::string& size, const std::string& name, const std::vector<Item>& items) {
+std::string names(const std::string& size, const std::string& name, const std::vector<std::string>& items) {
   std::vector<std::string> list, numbers;
-  for (const Item& item : items) {
+  for (const std::string& item : items) {
     numbers.push_back(std::to_string(list.size()));
-    list.push_back(quoted(item.name));
+    list.push_back(quoted(item));
   }
   return array("const char*", size, name, list, numbers);
 }
 
 // The mass of all moving links: it includes the base only if the base floats.
-double total_mass(const Library& library) {
+double total_mass(const model::KinematicTree& tree) {
+  const model::DefaultValues value(tree.parameters);
   double mass = 0;
-  for (const LinkData& link : library.links)
-    if (link.parent_joint >= 0 || library.floating_base) mass += link.mass;
+  for (std::size_t l = tree.floating_base ? 0 : 1; l < at(tree.link_count()); ++l)
+    mass += model::mass_properties(tree.links[l], value).mass;
   return mass;
 }
 
 std::string sizes(const Library& library) {
-  const auto count = [](std::size_t n) { return std::to_string(n); };
-  if (!library.has_robot()) return constant("int kFrameCount", count(library.frames.size()));
-  const std::string coupled =
-      library.coupled.empty() ? "" : constant(std::string("int ") + kCoupledCount, count(library.coupled.size()));
-  std::string positions;
-  if (library.has_own_positions())
-    positions = constant("int kPositions", count(library.positions.size()), "elements of q; qd has kDof elements");
-  const std::string result = constant("int kDof", count(library.joints.size())) + positions + coupled +
-                             constant("int kLinkCount", count(library.links.size())) +
-                             constant("int kFrameCount", count(library.frames.size())) +
-                             constant("bool kFloatingBase", library.floating_base ? "true" : "false");
+  const model::KinematicTree& tree = library.tree;
+  const std::string frames = constant("int kFrameCount", std::to_string(library.frames().size()));
+  if (!library.has_robot()) return frames;
+  const auto count = [](const std::string& name, int n, const std::string& remark = "") {
+    return constant("int " + name, std::to_string(n), remark);
+  };
+  const std::string result =
+      count("kDof", tree.dof()) +
+      (model::has_own_positions(tree)
+           ? count("kPositions", tree.position_count(), "elements of q; qd has kDof elements")
+           : "") +
+      (tree.couplings.empty() ? "" : count(kCoupledCount, static_cast<int>(tree.couplings.size()))) +
+      count("kLinkCount", tree.link_count()) + frames +
+      constant("bool kFloatingBase", tree.floating_base ? "true" : "false");
   // With parameters, the mass is not constant.
   if (!library.numbers.empty()) return result;
-  return result +
-         constant("double kTotalMass", print_double(total_mass(library)), "kg, of all links except a fixed base");
+  return result + constant("double kTotalMass", print_double(total_mass(tree)), "kg, of all links except a fixed base");
 }
 
 std::string limit(double value) {
@@ -81,35 +83,31 @@ std::string limit(double value) {
   return print_double(value);
 }
 
-std::string limits(const JointLimits& l) {
+std::string limits(const model::JointLimits& l) {
   const bool none = std::isinf(l.lower) && std::isinf(l.upper) && std::isinf(l.velocity) && std::isinf(l.effort);
   return "robcogen::JointLimits" +
          (none ? "{}" : braced({limit(l.lower), limit(l.upper), limit(l.velocity), limit(l.effort)}));
 }
 
-// All numbers except the rotor's axis, which only a rotor has.
-std::array<double, 8> numbers_of(const DriveData& d) {
-  return {d.damping, d.friction, d.friction_velocity, d.armature, d.stiffness, d.rest, d.rotor_inertia, d.rotor_ratio};
-}
-
 // The drives of joints, which contribute to the dynamics; `{}` for a joint without one.
-std::vector<std::string> drives(const std::vector<JointData>& joints) {
+std::vector<std::string> drives(const model::KinematicTree& tree, const std::vector<int>& joints) {
   std::vector<std::string> all;
-  for (const JointData& joint : joints)
-    all.push_back("robcogen::JointDrive" + (joint.drive ? braced(drive_numbers(*joint.drive)) : "{}"));
+  for (const int j : joints) {
+    const model::Joint& joint = tree.joints[at(j)];
+    all.push_back("robcogen::JointDrive" + (joint.drive.is_absent() ? "{}" : braced(drive_numbers(tree, joint))));
+  }
   return all;
 }
 
 // Whether a number of a drive, or a pitch, has no value because it depends on a parameter without default.
-bool is_incomplete(const Library& library) {
-  const std::vector<JointData> joints = library.all_joints();
-  return std::any_of(joints.begin(), joints.end(), [](const JointData& joint) {
-    if (std::isnan(joint.pitch)) return true;
-    if (!joint.drive) return false;
-    const auto is_nan = [](double value) { return std::isnan(value); };
-    const std::array<double, 8> numbers = numbers_of(*joint.drive);
-    const std::array<double, 3>& axis = joint.drive->rotor_axis;
-    return std::any_of(numbers.begin(), numbers.end(), is_nan) || std::any_of(axis.begin(), axis.end(), is_nan);
+bool is_incomplete(const model::KinematicTree& tree) {
+  const model::DefaultValues value(tree.parameters);
+  const auto is_nan = [](double number) { return std::isnan(number); };
+  return std::any_of(tree.joints.begin(), tree.joints.end(), [&](const model::Joint& joint) {
+    const std::array<double, 8> numbers = model::drive_numbers(joint, value);
+    const std::array<double, 3> axis = model::rotor_axis(joint, value);
+    return is_nan(value(joint.pitch)) || std::any_of(numbers.begin(), numbers.end(), is_nan) ||
+           std::any_of(axis.begin(), axis.end(), is_nan);
   });
 }
 
@@ -119,7 +117,7 @@ std::string enumerations(const Api& api) {
   const bool is_coupled = !api.coupled.empty();
   return paragraphs(
       {(api.positions.empty() ? "// In the order of joint vectors.\n"
-        : api.library->has_spherical_joints()
+        : !api.library->tree.spherical_joints().empty()
             ? "// In the order of joint vectors, except positions. A spherical joint has three elements.\n"
             : "// In the order of joint vectors, except positions.\n") +
            enumeration("Joint", api.joints),
@@ -137,50 +135,52 @@ std::string enumerations(const Api& api) {
 // The constants of these joints: `kJointNames`, ….
 std::vector<std::string> tables_of_joints(
     const Api& api,
-    const std::vector<JointData>& joints,
+    const std::vector<int>& joints,
     const std::vector<std::string>& enumerators,
     const std::string& size,
     const std::string& prefix) {
+  const model::KinematicTree& tree = api.library->tree;
+  const model::DefaultValues value(tree.parameters);
   std::vector<std::string> types, parents, children, all_limits, pitches;
-  for (const JointData& joint : joints) {
+  for (const int j : joints) {
+    const model::Joint& joint = tree.joints[at(j)];
     all_limits.push_back(limits(joint.limits));
     types.push_back(joint_type(joint.type));
-    pitches.push_back(model_number(joint.pitch));
-    parents.push_back("Link::" + api.links[at(joint.parent)]);
-    children.push_back("Link::" + api.links[at(joint.child)]);
+    pitches.push_back(model_number(value(joint.pitch)));
+    parents.push_back("Link::" + api.links[at(model::parent_link(tree, j))]);
+    children.push_back("Link::" + api.links[at(model::child_link(tree, j))]);
   }
   return {
-      names(size, prefix + "Names", joints),
+      names(size, prefix + "Names", model::names_of(tree, joints)),
       array("robcogen::JointType", size, prefix + "Types", types, enumerators),
       array("Link", size, prefix + "Parents", parents, enumerators),
       array("Link", size, prefix + "Children", children, enumerators),
       "// Lower and upper position, velocity, effort; unlimited where the model gives no limit.\n" +
           array("robcogen::JointLimits", size, prefix + "Limits", all_limits, enumerators),
-      api.library->has_drives() ? array("robcogen::JointDrive", size, prefix + "Drives", drives(joints), enumerators)
-                                : "",
-      api.library->has_pitches() ? "// m/rad; zero for joints that are not helical.\n" +
-                                       array("double", size, prefix + "Pitches", pitches, enumerators)
-                                 : ""};
+      tree.has_drives() ? array("robcogen::JointDrive", size, prefix + "Drives", drives(tree, joints), enumerators)
+                        : "",
+      tree.has_pitches() ? "// m/rad; zero for joints that are not helical.\n" +
+                               array("double", size, prefix + "Pitches", pitches, enumerators)
+                         : ""};
 }
 
 // How coupled joints follow the others, unless that depends on parameters.
 std::string coupling_tables(const Api& api) {
-  const Library& library = *api.library;
-  if (!library.numbers.empty()) return "";
+  const model::KinematicTree& tree = api.library->tree;
+  if (!api.library->numbers.empty()) return "";
+  const model::DefaultValues value(tree.parameters);
   std::vector<std::string> factors, offsets;
-  bool has_others = false;
-  for (const CoupledJointData& coupled : library.coupled) {
-    has_others = has_others || std::isnan(coupled.offset);
-    std::vector<std::string> row;
-    for (const double factor : coupled.factors) row.push_back(model_number(factor));
-    factors.push_back("std::array<double, kDof>" + braced(row));
-    offsets.push_back(model_number(coupled.offset));
+  for (const model::Coupling& coupling : tree.couplings) {
+    const model::CouplingNumbers numbers = model::coupling_numbers(tree, coupling, value);
+    factors.push_back("std::array<double, kDof>" + braced(model_numbers(numbers.factors)));
+    offsets.push_back(model_number(numbers.offset));
   }
   return paragraphs(
       {"// The position of a coupled joint is its offset plus the sum over the joints of factor times position.\n" +
            std::string(
-               has_others ? "// NaN for a joint that follows through a loop: joint_positions computes its position.\n"
-                          : "") +
+               tree.has_closures()
+                   ? "// NaN for a joint that follows through a loop: joint_positions computes its position.\n"
+                   : "") +
            array("std::array<double, kDof>", kCoupledCount, "kCouplingFactors", factors, api.coupled),
        array("double", kCoupledCount, "kCouplingOffsets", offsets, api.coupled)});
 }
@@ -188,10 +188,10 @@ std::string coupling_tables(const Api& api) {
 std::string joint_tables(const Api& api) {
   const Library& library = *api.library;
   if (!library.has_robot()) return "";
-  std::vector<std::string> tables = tables_of_joints(api, library.joints, api.joints, "kDof", "kJoint");
-  if (!library.coupled.empty()) {
-    for (std::string& table :
-         tables_of_joints(api, library.coupled_joints(), api.coupled, kCoupledCount, "kCoupledJoint"))
+  std::vector<std::string> tables = tables_of_joints(api, library.tree.coordinates(), api.joints, "kDof", "kJoint");
+  if (!library.tree.couplings.empty()) {
+    const std::vector<int> coupled = model::dependent_joints(library.tree);
+    for (std::string& table : tables_of_joints(api, coupled, api.coupled, kCoupledCount, "kCoupledJoint"))
       tables.push_back(std::move(table));
     tables.push_back(coupling_tables(api));
   }
@@ -209,28 +209,30 @@ std::string joint_index(const Api& api, int joint) {
 std::string link_tables(const Api& api) {
   if (!api.library->has_robot()) return "";
   std::vector<std::string> parents;
-  for (const LinkData& link : api.library->links) parents.push_back(joint_index(api, link.parent_joint));
+  for (const int carrier : model::carrying_joints(api.library->tree)) parents.push_back(joint_index(api, carrier));
   return paragraphs(
-      {names("kLinkCount", "kLinkNames", api.library->links),
+      {names("kLinkCount", "kLinkNames", model::link_names(api.library->tree)),
        "// Index of the joint that carries the link; -1 for the base.\n" +
            array("int", "kLinkCount", "kLinkParentJoints", parents, api.links)});
 }
 
 std::string frame_tables(const Api& api) {
-  if (!api.library->has_robot()) return names("kFrameCount", "kFrameNames", api.library->frames);
+  const model::KinematicTree& tree = api.library->tree;
+  const std::string all = names("kFrameCount", "kFrameNames", api.library->frames());
+  if (!api.library->has_robot()) return all;
   std::vector<std::string> links;
-  for (const FrameData& frame : api.library->frames) links.push_back("Link::" + api.links[at(frame.link)]);
+  for (const model::Frame& frame : tree.frames()) links.push_back("Link::" + api.links[at(tree.link_of(frame))]);
   return paragraphs(
-      {names("kFrameCount", "kFrameNames", api.library->frames),
+      {all,
        "// The link that the frame moves with.\n" + array("Link", "kFrameCount", "kFrameLinks", links, api.frames)});
 }
 
 // The elements of all limbs in one array; each limb refers to three ranges of it.
 std::string limb_tables(const Api& api) {
-  const std::vector<LimbData>& limbs = api.library->limbs;
+  const std::vector<model::Limb> limbs = model::listed_limbs(api.library->tree);
   if (limbs.empty()) return "";
   std::vector<std::string> elements, remarks;
-  const auto add = [&](const std::vector<LimbData::Element>& list, const std::string& remark) {
+  const auto add = [&](const std::vector<model::Limb::Element>& list, const std::string& remark) {
     const std::string begin = std::to_string(elements.size());
     for (const auto& [own, index] : list) {
       elements.push_back(braced({quoted(own), std::to_string(index)}));
@@ -239,7 +241,7 @@ std::string limb_tables(const Api& api) {
     return "      " + braced({"kLimbElements + " + begin, std::to_string(list.size())}) + ",\n";
   };
   std::string rows;
-  for (const LimbData& limb : limbs) {
+  for (const model::Limb& limb : limbs) {
     rows += "    robcogen::Limb{\n        " + quoted(limb.name) + ",\n        " + quoted(limb.part) + ",\n        " +
             std::to_string(limb.first_link) + ",\n";
     for (const std::string& list :
@@ -263,54 +265,62 @@ std::string model_number(double value) {
   return std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN()" : print_double(value);
 }
 
-std::string joint_type(JointType type) {
+std::vector<std::string> model_numbers(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(model_number(value));
+  return texts;
+}
+
+std::string joint_type(model::JointType type) {
   const std::string scope = "robcogen::JointType::";
   switch (type) {
-    case JointType::revolute:
+    case model::JointType::revolute:
       break;
-    case JointType::prismatic:
+    case model::JointType::prismatic:
       return scope + "prismatic";
-    case JointType::helical:
+    case model::JointType::helical:
       return scope + "helical";
-    case JointType::spherical:
+    case model::JointType::spherical:
       return scope + "spherical";
   }
   return scope + "revolute";
 }
 
-std::vector<std::string> drive_numbers(const DriveData& d) {
+std::vector<std::string> drive_numbers(const model::KinematicTree& tree, const model::Joint& joint) {
+  const model::DefaultValues value(tree.parameters);
   std::vector<std::string> items;
   std::size_t last = 0;
-  for (const double value : numbers_of(d)) {
-    items.push_back(model_number(value));
-    if (value != 0.0) last = items.size();
+  for (const double number : model::drive_numbers(joint, value)) {
+    items.push_back(model_number(number));
+    if (number != 0.0) last = items.size();
   }
-  if (d.rotor_carrier < 0) {
+  const int carrier = model::rotor_carrier(joint);
+  if (carrier < 0) {
     items.resize(last);
     return items;
   }
-  const auto& [x, y, z] = d.rotor_axis;
+  const auto [x, y, z] = model::rotor_axis(joint, value);
   items.push_back(braced({model_number(x), model_number(y), model_number(z)}));
-  items.push_back(std::to_string(d.rotor_carrier));
+  items.push_back(std::to_string(carrier));
   return items;
 }
 
 std::string print_model(const Api& api, const std::string& path) {
   const Library& library = *api.library;
   const std::string body = paragraphs(
-      {constant("const char* kName", quoted(library.robot)) +
+      {constant("const char* kName", quoted(library.title())) +
            constant("const char* kModelHash", quoted(library.model_hash)) +
            constant("const char* kGeneratorVersion", quoted(library.generator_version)),
        sizes(library), enumerations(api), joint_tables(api), link_tables(api), frame_tables(api), limb_tables(api)});
   std::vector<std::string> runtime = {"\"robcogen/version.h\""};
-  if (library.has_drives()) runtime.emplace_back("\"robcogen/joint_drive.h\"");
+  if (library.tree.has_drives()) runtime.emplace_back("\"robcogen/joint_drive.h\"");
   if (library.has_robot()) runtime.insert(runtime.end(), {"\"robcogen/joint_limits.h\"", "\"robcogen/joint_type.h\""});
-  if (!library.limbs.empty()) runtime.emplace_back("\"robcogen/limb.h\"");
+  if (!library.tree.limbs.empty()) runtime.emplace_back("\"robcogen/limb.h\"");
   return paragraphs(
       {banner(library, path, "constants of the model, without Eigen"), "#pragma once\n",
        includes(
-           is_incomplete(library) || !library.loops.empty() ? std::vector<std::string>{"<array>", "<limits>"}
-                                                            : std::vector<std::string>{"<array>"}),
+           is_incomplete(library.tree) || !library.tree.loops.empty() ? std::vector<std::string>{"<array>", "<limits>"}
+                                                                      : std::vector<std::string>{"<array>"}),
        includes(runtime), runtime_check(api), in_namespace(api.space, body)});
 }
 

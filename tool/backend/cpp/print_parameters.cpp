@@ -24,21 +24,21 @@ const Kind kKinds[] = {
      "Parameters in the placement of joints and frames: lengths (m) and angles (rad)."},
     {true, "Dynamics", "dynamics", "Parameters in the mass properties of links: kg, m, kg m^2."}};
 
-bool is_shared(const ParameterData& p) {
-  return p.is_kinematics && p.is_dynamics;
+bool is_shared(const model::Parameter& p) {
+  return model::is_kinematics(p) && model::is_dynamics(p);
 }
 
 // Calls f(index) for the parameters of a kind, in order, including those that are of both kinds.
 template <class F>
 void for_each_of(const Library& library, const Kind& kind, F f) {
-  for (std::size_t i = 0; i < library.parameters.size(); ++i) {
-    const ParameterData& p = library.parameters[i];
-    if (kind.is_dynamics ? p.is_dynamics : p.is_kinematics) f(i);
+  for (std::size_t i = 0; i < library.parameters().size(); ++i) {
+    const model::Parameter& p = library.parameters()[i];
+    if (kind.is_dynamics ? model::is_dynamics(p) : model::is_kinematics(p)) f(i);
   }
 }
 
 bool has_shared(const Library& library) {
-  return std::any_of(library.parameters.begin(), library.parameters.end(), is_shared);
+  return std::any_of(library.parameters().begin(), library.parameters().end(), is_shared);
 }
 
 std::string interface_type(const Api& api, const Kind& kind) {
@@ -52,7 +52,7 @@ std::string interface_type(const Api& api, const Kind& kind) {
 }
 
 std::string field(const Api& api, std::size_t i) {
-  const double value = api.library->parameters[i].default_value;
+  const double value = model::default_of(api.library->parameters()[i]);
   const std::string initial =
       std::isnan(value) ? "std::numeric_limits<double>::quiet_NaN();  // no default" : print_double(value) + ";";
   return "  double " + api.fields[i] + " = " + initial + "\n";
@@ -67,8 +67,8 @@ std::string shared_values_type(const Api& api) {
   const Library& library = *api.library;
   if (!has_shared(library)) return "";
   std::string fields;
-  for (std::size_t i = 0; i < library.parameters.size(); ++i)
-    if (is_shared(library.parameters[i])) fields += field(api, i);
+  for (std::size_t i = 0; i < library.parameters().size(); ++i)
+    if (is_shared(library.parameters()[i])) fields += field(api, i);
   return "// Parameters of both interfaces.\nstruct SharedValues {\n" + fields + "};\n";
 }
 
@@ -76,7 +76,7 @@ std::string values_type(const Api& api, const Kind& kind) {
   const Library& library = *api.library;
   std::string fields, getters;
   for_each_of(library, kind, [&](std::size_t i) {
-    if (!is_shared(library.parameters[i])) fields += field(api, i);
+    if (!is_shared(library.parameters()[i])) fields += field(api, i);
     getters += getter(api, i);
   });
   const std::string body = paragraphs({fields, getters});
@@ -95,11 +95,11 @@ std::string names_of(const Api& api, F wants) {
 }
 
 std::string array_type(const Api& api) {
-  const std::string size = std::to_string(api.library->parameters.size());
+  const std::string size = std::to_string(api.library->parameters().size());
   std::vector<std::string> names, remarks;
-  for (const ParameterData& p : api.library->parameters) {
+  for (const model::Parameter& p : api.library->parameters()) {
     names.push_back(quoted(p.name));
-    const std::string& subject = kKinds[p.is_dynamics ? 1 : 0].subject;
+    const std::string& subject = kKinds[model::is_dynamics(p) ? 1 : 0].subject;
     remarks.push_back(is_shared(p) ? kKinds[0].subject + " and " + subject : subject);
   }
   return "// Values of all parameters, in the order of kParameterNames, for code that does not know their names.\n"
@@ -112,8 +112,8 @@ std::string all_values_type(const Api& api) {
   const Library& library = *api.library;
   // One getter for both interfaces; otherwise the inherited name would be ambiguous.
   std::string getters;
-  for (std::size_t i = 0; i < library.parameters.size(); ++i)
-    if (is_shared(library.parameters[i])) getters += getter(api, i);
+  for (std::size_t i = 0; i < library.parameters().size(); ++i)
+    if (is_shared(library.parameters()[i])) getters += getter(api, i);
   return "// Values of all parameters, initially as declared; a parameter without default is NaN until it is set.\n"
          "struct ParameterValues : KinematicsValues, DynamicsValues {" +
          (getters.empty() ? "" : "\n" + getters) + "};\n";
@@ -139,7 +139,7 @@ std::string update(const Api& api, const std::vector<Kind>& read, const std::vec
   for (const Kind& kind : read) {
     bool is_read = false;
     for_each_of(*api.library, kind, [&](std::size_t i) {
-      if (&kind != &read.front() && is_shared(api.library->parameters[i])) return;
+      if (&kind != &read.front() && is_shared(api.library->parameters()[i])) return;
       body += "    values_[" + std::to_string(i) + "] = " + kind.subject + "." + api.getters[i] + "();\n";
       is_read = true;
     });
@@ -152,7 +152,7 @@ std::string update(const Api& api, const std::vector<Kind>& read, const std::vec
 
 // The names of the parameters that both interfaces have.
 std::string shared_names(const Api& api) {
-  return names_of(api, [&](std::size_t i) { return is_shared(api.library->parameters[i]); });
+  return names_of(api, [&](std::size_t i) { return is_shared(api.library->parameters()[i]); });
 }
 
 std::string shared_remark(const Api& api) {
@@ -172,7 +172,7 @@ std::string values_function(const Api& api) {
   std::string body = "    ParameterValues values;\n";
   for (const Kind& kind : kKinds)
     for_each_of(*api.library, kind, [&](std::size_t i) {
-      const bool shared = is_shared(api.library->parameters[i]);
+      const bool shared = is_shared(api.library->parameters()[i]);
       if (shared && kind.is_dynamics) return;
       const std::string owner = shared ? "Shared" : kind.name;
       body += "    values." + owner + "Values::" + api.fields[i] + " = values_[" + std::to_string(i) + "];\n";
@@ -182,8 +182,8 @@ std::string values_function(const Api& api) {
 }
 
 std::string constructors(const Api& api) {
-  const std::vector<ParameterData>& parameters = api.library->parameters;
-  const std::string missing = names_of(api, [&](std::size_t i) { return std::isnan(parameters[i].default_value); });
+  const std::vector<model::Parameter>& parameters = api.library->parameters();
+  const std::string missing = names_of(api, [&](std::size_t i) { return !parameters[i].default_value; });
   std::string text;
   if (missing.empty()) {
     text += "  // The declared defaults.\n  Parameters() noexcept : Parameters(ParameterValues()) {}\n";
@@ -224,7 +224,7 @@ std::string parameters_type(const Api& api) {
       "    for (std::size_t i = 0; i < part.size(); ++i) cache_[kBegin + i] = static_cast<Scalar>(part[i]);\n"
       "  }\n\n"
       "  std::array<double, " +
-      std::to_string(api.library->parameters.size()) +
+      std::to_string(api.library->parameters().size()) +
       "> values_;\n"
       "  std::array<Scalar, " +
       std::to_string(size) + "> cache_;\n";

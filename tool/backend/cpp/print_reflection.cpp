@@ -9,6 +9,7 @@
 #include "backend/cpp/flat_tables.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
+#include "support/index.h"
 #include "support/number.h"
 
 namespace robcogen::backend::cpp {
@@ -18,77 +19,126 @@ using symbolic::Role;
 
 template <std::size_t n>
 Field numbers(const std::array<double, n>& values) {
-  std::vector<std::string> texts;
-  for (double v : values) texts.push_back(model_number(v));
-  return texts;
+  return model_numbers({values.begin(), values.end()});
 }
 
-Table links(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const LinkData& l : library.links)
-    rows.push_back({quoted(l.name), l.parent_joint, model_number(l.mass), numbers(l.com), numbers(l.inertia)});
-  return table("Link", "kLinks", rows);
+// `{3, 7}`, the places of two frames.
+std::string pair_of_frames(const model::KinematicTree& tree, const std::string& first, const std::string& second) {
+  const auto place = [&](const std::string& name) { return std::to_string(model::place_of_frame(tree, name)); };
+  return braced({place(first), place(second)});
 }
 
-Table joints(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const JointData& j : library.all_joints()) {
-    rows.push_back(
-        {quoted(j.name), joint_type(j.type), j.parent, j.child, numbers(j.translation), numbers(j.rotation)});
-    const bool has_pitch = j.type == JointType::helical;
-    const bool is_assembled = j.assembled != 0;
-    if (j.drive || has_pitch || is_assembled) rows.back().push_back(drive_numbers(j.drive.value_or(DriveData())));
-    if (has_pitch || is_assembled) rows.back().push_back(model_number(j.pitch));
-    if (is_assembled) rows.back().push_back(model_number(j.assembled));
+// The tables of the elements of a model.
+class ModelTables {
+ public:
+  explicit ModelTables(const Library& library)
+      : library_(library), tree_(library.tree), value_(library.tree.parameters) {}
+
+  Table links() const {
+    std::vector<std::vector<Field>> rows;
+    for (const int carrier : model::carrying_joints(tree_)) {
+      const model::Link& link = tree_.links[rows.size()];
+      const auto [mass, com, inertia] = model::mass_properties(link, value_);
+      rows.push_back({quoted(link.name), carrier, model_number(mass), numbers(com), numbers(inertia)});
+    }
+    return table("Link", "kLinks", rows);
   }
-  return table("Joint", "kJoints", rows);
-}
 
-// The coupled joints, which come last, each with a list of factors.
-Table couplings(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  std::string lists;
-  for (std::size_t k = 0; k < library.coupled.size(); ++k) {
-    const std::string name = "coupling_" + std::to_string(k) + "_factors";
-    std::vector<std::string> factors;
-    for (const double factor : library.coupled[k].factors) factors.push_back(model_number(factor));
-    if (!factors.empty()) lists += numbered_list("inline constexpr double " + name + "[]", factors);
-    rows.push_back({factors.empty() ? "nullptr" : name, model_number(library.coupled[k].offset)});
-    if (library.coupled[k].assembled != 0) rows.back().push_back(model_number(library.coupled[k].assembled));
+  Table joints() const {
+    std::vector<std::vector<Field>> rows;
+    for (const int j : model::independent_joints_first(tree_)) {
+      const model::Joint& joint = tree_.joints[at(j)];
+      const model::Placement& placement = model::placement_of_joint(tree_, j);
+      const double assembled = model::assembled_coordinate(tree_, j);
+      const bool has_pitch = joint.type == model::JointType::helical || assembled != 0;
+      rows.push_back(
+          {quoted(joint.name), joint_type(joint.type), model::parent_link(tree_, j), model::child_link(tree_, j),
+           numbers(value_(placement.translation)), numbers(value_(placement.rotation))});
+      if (!joint.drive.is_absent() || has_pitch) rows.back().push_back(drive_numbers(tree_, joint));
+      if (has_pitch) rows.back().push_back(model_number(value_(joint.pitch)));
+      if (assembled != 0) rows.back().push_back(model_number(assembled));
+    }
+    return table("Joint", "kJoints", rows);
   }
-  Table result = table("Coupling", "kCouplings", rows);
-  result.definition = paragraphs({lists, result.definition});
-  return result;
-}
 
-Table frames(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const FrameData& f : library.frames)
-    rows.push_back({quoted(f.name), f.link, numbers(f.translation), numbers(f.rotation)});
-  return table("Frame", "kFrames", rows);
-}
+  // The coupled joints, which come last, each with a list of factors.
+  Table couplings() const {
+    std::vector<std::vector<Field>> rows;
+    std::string lists;
+    for (const model::Coupling& coupling : tree_.couplings) {
+      const std::string name = "coupling_" + std::to_string(rows.size()) + "_factors";
+      const model::CouplingNumbers sum = model::coupling_numbers(tree_, coupling, value_);
+      const bool has_factors = !sum.factors.empty();
+      if (has_factors) lists += numbered_list("inline constexpr double " + name + "[]", model_numbers(sum.factors));
+      rows.push_back({has_factors ? name : "nullptr", model_number(sum.offset)});
+      if (sum.assembled != 0) rows.back().push_back(model_number(sum.assembled));
+    }
+    Table result = table("Coupling", "kCouplings", rows);
+    result.definition = paragraphs({lists, result.definition});
+    return result;
+  }
 
-Table contacts(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const ContactData& c : library.contacts) rows.push_back({c.frame, c.is_surface ? "true" : "false"});
-  return table("Contact", "kContacts", rows);
-}
+  Table frames() const {
+    std::vector<std::vector<Field>> rows;
+    for (const model::Frame& f : tree_.frames()) {
+      const model::Placement placement = tree_.placement_of(f);
+      rows.push_back(
+          {quoted(f.name), tree_.link_of(f), numbers(value_(placement.translation)),
+           numbers(value_(placement.rotation))});
+    }
+    return table("Frame", "kFrames", rows);
+  }
 
-Table loops(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const LoopData& l : library.loops)
-    rows.push_back(
-        {quoted(l.name), "robcogen::reflection::LoopType::" + l.type,
-         braced({std::to_string(l.first_frame), std::to_string(l.second_frame)}), model_number(l.length)});
-  return table("Loop", "kLoops", rows);
-}
+  Table contacts() const {
+    std::vector<std::vector<Field>> rows;
+    for (const model::ContactFrame& c : library_.contacts)
+      rows.push_back({model::place_of_frame(tree_, c.frame.name), c.is_surface ? "true" : "false"});
+    return table("Contact", "kContacts", rows);
+  }
 
-Table actuators(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const ActuatorData& a : library.actuators)
-    rows.push_back({quoted(a.name), braced({std::to_string(a.from), std::to_string(a.to)})});
-  return table("Actuator", "kActuators", rows);
-}
+  Table loops() const {
+    std::vector<std::vector<Field>> rows;
+    for (const model::LoopJoint& l : tree_.loops)
+      rows.push_back(
+          {quoted(l.name),
+           "robcogen::reflection::LoopType::" + std::string(model::kLoopTypes[at(static_cast<int>(l.type))]),
+           pair_of_frames(tree_, l.ends[0].frame, l.ends[1].frame), model_number(value_(l.length))});
+    return table("Loop", "kLoops", rows);
+  }
+
+  Table actuators() const {
+    std::vector<std::vector<Field>> rows;
+    for (const model::Actuator& a : tree_.actuators)
+      rows.push_back({quoted(a.name), pair_of_frames(tree_, a.frames[0], a.frames[1])});
+    return table("Actuator", "kActuators", rows);
+  }
+
+  // The joints whose positions are the last elements of q.
+  Table followers() const {
+    const std::vector<int> joints = model::independent_joints_first(tree_);
+    std::vector<std::vector<Field>> rows;
+    for (const int j : tree_.followers_in_q())
+      rows.push_back(
+          {static_cast<int>(std::find(joints.begin(), joints.end(), j) - joints.begin()),
+           model_number(model::evaluate(tree_.coupling_of(j)->offset))});
+    return table("Follower", "kFollowers", rows);
+  }
+
+  Table parameters() const {
+    std::vector<std::vector<Field>> rows;
+    for (const model::Parameter& p : tree_.parameters) {
+      const bool is_dynamics = model::is_dynamics(p);
+      rows.push_back({quoted(p.name), is_dynamics ? "true" : "false", model_number(model::default_of(p))});
+      if (is_dynamics && model::is_kinematics(p)) rows.back().emplace_back("true");
+    }
+    return table("Parameter", "kParameters", rows);
+  }
+
+ private:
+  const Library& library_;
+  const model::KinematicTree& tree_;
+  model::DefaultValues value_;
+};
 
 Table actuator_kernels(const Api& api) {
   const std::vector<std::string> names = {"actuator_lengths", "actuator_velocities", "actuator_jacobian"};
@@ -101,12 +151,6 @@ Table actuator_kernels(const Api& api) {
   }
   const std::string type = "inline constexpr robcogen::reflection::ActuatorKernels ";
   return {remarked_list(type + "kActuatorKernels", kernels, {"lengths", "rates", "lever arms"}), "kActuatorKernels"};
-}
-
-Table followers(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const Library::Follower& f : library.followers) rows.push_back({f.joint, model_number(f.assembled)});
-  return table("Follower", "kFollowers", rows);
 }
 
 bool is_form(const Callable& c, Role role) {
@@ -266,7 +310,7 @@ Table functions(const Api& api) {
   for (const Callable* c : all_callables(api)) {
     rows.push_back(function_row(*c));
     const int positions = positions_of(c->function->program);
-    if (positions < 0 || !(c->function->parts || api.library->has_own_positions())) continue;
+    if (positions < 0 || !(c->function->parts || model::has_own_positions(api.library->tree))) continue;
     rows.back().push_back(positions);
     if (c->function->parts) rows.back().emplace_back(flat_core(*c));
   }
@@ -285,15 +329,6 @@ Table batch_functions(const Api& api) {
   return table("BatchFunction", "kBatchFunctions", rows);
 }
 
-Table parameters(const Library& library) {
-  std::vector<std::vector<Field>> rows;
-  for (const ParameterData& p : library.parameters) {
-    rows.push_back({quoted(p.name), p.is_dynamics ? "true" : "false", model_number(p.default_value)});
-    if (p.is_dynamics && p.is_kinematics) rows.back().emplace_back("true");
-  }
-  return table("Parameter", "kParameters", rows);
-}
-
 // The last fields of `robot`: the value, a remark that says what it is, and the default. Trailing fields that have
 // their default are left out.
 struct LastField {
@@ -309,22 +344,23 @@ struct RareTables {
   }
 };
 
-RareTables rare_tables(const Api& api) {
+RareTables rare_tables(const Api& api, const ModelTables& of_model) {
   const Library& library = *api.library;
+  const model::KinematicTree& tree = library.tree;
   const Table none = {"", kNoTable};
   return {
-      api.is_parametric() ? parameters(library) : none,
-      library.coupled.empty() ? none : couplings(library),
+      api.is_parametric() ? of_model.parameters() : none,
+      tree.couplings.empty() ? none : of_model.couplings(),
       derivatives(all_callables(api), api.is_parametric()),
-      library.contacts.empty() ? none : contacts(library),
-      library.loops.empty() ? none : loops(library),
-      library.actuators.empty() ? none : actuators(library),
-      library.followers.empty() ? none : followers(library),
-      library.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api)};
+      library.contacts.empty() ? none : of_model.contacts(),
+      tree.loops.empty() ? none : of_model.loops(),
+      tree.actuators.empty() ? none : of_model.actuators(),
+      tree.followers_in_q().empty() ? none : of_model.followers(),
+      tree.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api)};
 }
 
 std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
-  const Library& library = *api.library;
+  const model::KinematicTree& tree = api.library->tree;
   const auto numbers = [&](std::size_t i) {
     return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
   };
@@ -332,14 +368,14 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
   std::vector<LastField> fields = {
       {rare.parameters.reference, "parameters", kNoTable},
       {numbers(0), "numbers of the model", "nullptr"},
-      {boolean(api.is_parametric() && library.has_drives()), "numbers of drives", "false"},
-      {boolean(library.uses_passive_forces || !library.has_drives()), "passive forces", "true"},
+      {boolean(api.is_parametric() && tree.has_drives()), "numbers of drives", "false"},
+      {boolean(tree.uses_passive_forces || !tree.has_drives()), "passive forces", "true"},
       {numbers(1), "numbers of couplings", "nullptr"},
       {rare.couplings.reference, "couplings", kNoTable},
       {rare.derivatives.reference, "derivatives", kNoTable},
       {rare.contacts.reference, "contacts", kNoTable},
-      {boolean(api.is_parametric() && library.has_pitches()), "numbers of pitches", "false"},
-      {library.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(library.limbs.size())}), "limbs", "{}"},
+      {boolean(api.is_parametric() && tree.has_pitches()), "numbers of pitches", "false"},
+      {tree.limbs.empty() ? "{}" : braced({"limbs.data()", std::to_string(tree.limbs.size())}), "limbs", "{}"},
       {rare.loops.reference, "loops", kNoTable},
       {rare.actuators.reference, "actuators", kNoTable},
       {rare.followers.reference, "followers", kNoTable},
@@ -352,21 +388,22 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
 
 std::string print_reflection(const Api& api, const std::string& path) {
   const Library& library = *api.library;
-  std::vector<Table> tables = {links(library), joints(library),      frames(library), transforms(api),
-                               jacobians(api), frame_functions(api), functions(api)};
+  const ModelTables of_model(library);
+  std::vector<Table> tables = {of_model.links(), of_model.joints(),    of_model.frames(), transforms(api),
+                               jacobians(api),   frame_functions(api), functions(api)};
   std::vector<std::string> remarks = {"name",      "floating base",    "links",     "joints",
                                       "frames",    "transforms",       "Jacobians", "frame functions",
                                       "functions", "sines and cosines"};
   std::vector<std::string> parts = {
       "using robcogen::reflection::At;\nusing robcogen::reflection::kFlat;\nusing robcogen::reflection::kFlatCore;\n",
       flat_trigonometry(api)};
-  std::vector<std::string> fields = {quoted(library.robot), library.floating_base ? "true" : "false"};
+  std::vector<std::string> fields = {quoted(library.title()), library.tree.floating_base ? "true" : "false"};
   for (const Table& t : tables) {
     parts.push_back(t.definition);
     fields.push_back(t.reference);
   }
   fields.push_back(trigonometry(api));
-  const RareTables rare = rare_tables(api);
+  const RareTables rare = rare_tables(api, of_model);
   for (const Table* t : rare.all())
     if (!t->definition.empty()) parts.push_back(t->definition);
   for (const LastField& field : last_fields(api, rare)) {
@@ -390,11 +427,12 @@ std::string print_reflection(const Api& api, const std::string& path) {
     levels = in_namespace(api.space, use_level(api));
   }
   std::vector<std::string> own = {cpp::quoted(kernels_path(folder(library)))};
-  if (!library.limbs.empty()) own.push_back(cpp::quoted(folder(library) + "/model.h"));
+  if (!library.tree.limbs.empty()) own.push_back(cpp::quoted(folder(library) + "/model.h"));
   return paragraphs(
       {banner(library, path, "its constants and functions as tables, without Eigen"), "#pragma once\n",
-       api.is_parametric() || !library.loops.empty() ? includes({"<limits>"}) : "", includes(headers), includes(own),
-       runtime_check(api), levels, batch_kernels, in_namespace(api.space + "::reflection", paragraphs(parts))});
+       api.is_parametric() || !library.tree.loops.empty() ? includes({"<limits>"}) : "", includes(headers),
+       includes(own), runtime_check(api), levels, batch_kernels,
+       in_namespace(api.space + "::reflection", paragraphs(parts))});
 }
 
 }  // namespace robcogen::backend::cpp

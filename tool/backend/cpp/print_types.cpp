@@ -17,7 +17,7 @@ std::string parameters_struct(const Api& api, const std::string& scalar) {
   if (api.parameters.empty()) return "";
   std::string members;
   for (std::size_t i = 0; i < api.parameters.size(); ++i) {
-    const double value = api.library->parameters[i].default_value;
+    const double value = model::default_of(api.library->parameters()[i]);
     const std::string none = "std::numeric_limits<Scalar>::quiet_NaN()";
     members += "  Scalar " + api.parameters[i] + " = " +
                (std::isnan(value) ? none : "Scalar(" + print_double(value) + ")") + ";\n";
@@ -37,16 +37,17 @@ bool takes_pose(const Api& api) {
 // One set of aliases; the text is the same for both scalars.
 std::string aliases(const Api& api, const std::string& scalar) {
   const Library& library = *api.library;
-  const std::string size = library.floating_base ? "6 + kDof" : "kDof";
-  std::string result = "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
-                       "using JointState = JointVector<" + scalar + ">;\n" +
-                       (library.has_own_positions() ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
-                       "using InertiaMatrix = robcogen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
-                       "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
+  const std::string size = library.tree.floating_base ? "6 + kDof" : "kDof";
+  std::string result =
+      "using Scalar = " + scalar + ";\n" + "using Vector3 = Eigen::Matrix<" + scalar + ", 3, 1>;\n" +
+      "using JointState = JointVector<" + scalar + ">;\n" +
+      (model::has_own_positions(library.tree) ? "using JointPositions = PositionVector<" + scalar + ">;\n" : "") +
+      "using InertiaMatrix = robcogen::Matrix<" + scalar + ", " + size + ", " + size + ">;\n" +
+      "using LinkWrenches = robcogen::LinkWrenches<" + scalar + ", Link, kLinkCount>;\n";
   for (const std::string type : {"Gravity", "Twist", "SpatialAcceleration", "Wrench"})
     result += "using " + type + " = robcogen::Basic" + type + "<" + scalar + ">;\n";
   if (takes_pose(api)) result += "using BasePose = robcogen::BasicBasePose<" + scalar + ">;\n";
-  if (library.floating_base)
+  if (library.tree.floating_base)
     for (const std::string type : {"InverseDynamics", "GeneralizedForce", "GeneralizedAcceleration"})
       result += "using " + type + " = robcogen::" + type + "<" + scalar + ", kDof>;\n";
   return result + "\n" + matrix_alias(scalar);
@@ -111,14 +112,14 @@ std::string print_types(const Api& api, const std::string& path) {
         {structures(api), transform_types(api, "double"), in_single_precision(library, transform_types(api, "float"))});
     return paragraphs(
         {banner(library, path, "types of arguments and results"), "#pragma once\n", includes({"<Eigen/Core>"}),
-         library.parameters.empty() ? "" : includes({"<limits>"}), includes({"\"robcogen/matrix.h\""}),
+         library.parameters().empty() ? "" : includes({"<limits>"}), includes({"\"robcogen/matrix.h\""}),
          includes({"\"" + header_path(folder(library), "model") + "\""}), in_namespace(api.space, types)});
   }
   std::vector<std::string> runtime = {"\"robcogen/link_wrenches.h\""};
   runtime.push_back("\"robcogen/matrix.h\"");
   if (takes_pose(api)) runtime.push_back("\"robcogen/pose.h\"");
   runtime.push_back("\"robcogen/spatial.h\"");
-  if (library.floating_base) runtime.push_back("\"robcogen/results.h\"");
+  if (library.tree.floating_base) runtime.push_back("\"robcogen/results.h\"");
   std::vector<std::string> headers = {header_path(folder(library), "model")};
   if (api.is_parametric()) headers.push_back(header_path(folder(library), kParameters));
   const std::string trigonometry = trigonometry_type(api), factor = factor_type(api);
@@ -130,15 +131,17 @@ std::string print_types(const Api& api, const std::string& path) {
   const std::string body = paragraphs(
       {"// One value per joint, in the order of Joint.\ntemplate <class Scalar>\nusing JointVector = "
        "robcogen::Matrix<Scalar, kDof, 1>;\n",
-       library.has_own_positions()
+       model::has_own_positions(library.tree)
            ? comment(
                  "Positions, in the order of Position." +
                  std::string(
-                     library.has_spherical_joints()
+                     !library.tree.spherical_joints().empty()
                          ? " Quaternions must be of unit length, which is not checked: rounding errors are harmless, "
                            "and robcogen/positions.h normalises quaternions."
                          : "") +
-                 (library.followers.empty() ? "" : " The last ones follow through loops: close_loops computes them.")) +
+                 (library.tree.followers_in_q().empty()
+                      ? ""
+                      : " The last ones follow through loops: close_loops computes them.")) +
                  "template <class Scalar>\nusing PositionVector = robcogen::Matrix<Scalar, kPositions, 1>;\n"
            : "",
        trigonometry, factor, structures(api), both("double"), in_single_precision(library, both("float"))});

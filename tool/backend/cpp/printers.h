@@ -85,9 +85,10 @@ std::string print_definitions(const Api& api, const std::string& path);
 
 // A number of the model; NaN if it depends on a parameter without default.
 std::string model_number(double value);
+std::vector<std::string> model_numbers(const std::vector<double>& values);
 // The members of a robcogen::JointDrive, up to the last one that differs from the default.
-std::vector<std::string> drive_numbers(const DriveData& drive);
+std::vector<std::string> drive_numbers(const model::KinematicTree& tree, const model::Joint& joint);
 // `robcogen::JointType::revolute`.
-std::string joint_type(JointType type);
+std::string joint_type(model::JointType type);
 
 }  // namespace robcogen::backend::cpp

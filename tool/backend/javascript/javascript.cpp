@@ -17,18 +17,18 @@ using symbolic::OutputArray;
 using symbolic::Role;
 
 // Callables with dotted scopes, `transforms.homogeneous`, and legal names. A member may have any name.
-std::vector<Callable> named_callables(const Library& library) {
-  std::vector<Callable> result = callables(library);
+std::vector<OverloadedFunction> named_functions(const Library& library) {
+  std::vector<OverloadedFunction> result = overloaded_functions(library);
   NameScope names(dialect().is_reserved);
-  for (Callable& callable : result) {
-    if (callable.scope.empty()) callable.name = names.claim(callable.name);
-    callable.scope = dotted(callable.scope);
+  for (OverloadedFunction& overloaded : result) {
+    if (overloaded.scope.empty()) overloaded.name = names.claim(overloaded.name);
+    overloaded.scope = dotted(overloaded.scope);
   }
   return result;
 }
 
-std::string whole_name(const Callable& callable) {
-  return callable.scope.empty() ? callable.name : callable.scope + "." + callable.name;
+std::string whole_name(const OverloadedFunction& overloaded) {
+  return overloaded.scope.empty() ? overloaded.name : overloaded.scope + "." + overloaded.name;
 }
 
 // The functions that check arguments. Their names begin with a character that no function of a robot has.
@@ -52,7 +52,7 @@ constexpr const char* kParameterChecks =
     ;
 
 // The code that checks an argument and converts it into the form that the lines read.
-std::string check(const std::string& function, const InputArray& input, const Parameter& parameter) {
+std::string check(const std::string& function, const InputArray& input, const KernelArray& parameter) {
   const std::string& name = parameter.name;
   if (input.role == Role::parameters) return "  $parameters(\"" + function + ": " + name + "\", " + name + ");\n";
   if (input.role == Role::variables) {
@@ -72,7 +72,7 @@ std::string check(const std::string& function, const InputArray& input, const Pa
   return text;
 }
 
-std::string parameter_line(const Library& library, const InputArray& input, const Parameter& p, bool is_required) {
+std::string parameter_line(const Library& library, const InputArray& input, const KernelArray& p, bool is_required) {
   const std::string size = std::to_string(input.elements.size());
   std::string type = "ArrayLike<number>", what = meaning(input.role);
   if (input.role == Role::parameters) {
@@ -80,14 +80,14 @@ std::string parameter_line(const Library& library, const InputArray& input, cons
            " values of the parameters, as parameters() returns them";
   } else if (input.role == Role::link_wrenches) {
     type = "ArrayLike<number>[]";
-    what = "wrench on each link (N m, N), " + std::to_string(library.links.size()) +
+    what = "wrench on each link (N m, N), " + std::to_string(library.tree.link_count()) +
            " arrays of 6, base first: about the link's origin in link coordinates, moment first";
   } else if (input.role == Role::inertia_factor) {
     type = "number[][]";
     what = std::to_string(side(input)) + " rows: factor of the inertia matrix H = L^T L";
   } else {
     what = size + (input.elements.size() == 1 ? " number" : " numbers") + (what.empty() ? "" : ": " + what);
-    const bool differs = library.has_own_positions() && is_of_joints(input.role);
+    const bool differs = model::has_own_positions(library.tree) && is_of_joints(input.role);
     if ((input.role == Role::joint_position || differs) && !input.elements.empty())
       what += ": " + joined(input.elements);
   }
@@ -122,13 +122,13 @@ std::string returns_line(const std::vector<OutputArray>& outputs) {
   return "@returns {{ " + joined(types) + " }} " + joined(shapes, "; ");
 }
 
-std::string documentation(const Library& library, const Callable& callable, const Kernel& kernel) {
-  const Function& f = callable.longest();
-  std::vector<std::string> lines = summary(callable);
+std::string documentation(const Library& library, const OverloadedFunction& overloaded, const Kernel& kernel) {
+  const Function& f = overloaded.longest();
+  std::vector<std::string> lines = summary(overloaded);
   lines.push_back(describe_operations(library, f));
-  const std::size_t required = required_inputs(library, callable);
+  const std::size_t required = required_inputs(library, overloaded);
   for (std::size_t i = 0; i < f.program.inputs.size(); ++i) {
-    const Parameter& p = kernel.parameters[i];
+    const KernelArray& p = kernel.parameters[i];
     if (f.program.inputs[i].role == Role::variables)
       for (const std::string& e : p.elements) lines.push_back("@param {number} " + e + " rad or m");
     else
@@ -144,14 +144,14 @@ std::string documentation(const Library& library, const Callable& callable, cons
 
 // `export function name(` or `scope.name = function (`, and the arguments.
 std::string signature(
-    const Callable& callable,
+    const OverloadedFunction& overloaded,
     const symbolic::Program& program,
     const Kernel& kernel,
     std::size_t required,
     const std::vector<std::string>& more = {}) {
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    const Parameter& p = kernel.parameters[i];
+    const KernelArray& p = kernel.parameters[i];
     if (program.inputs[i].role == Role::variables)
       arguments.insert(arguments.end(), p.elements.begin(), p.elements.end());
     else if (i < required)
@@ -160,15 +160,16 @@ std::string signature(
       arguments.push_back(p.name + (program.inputs[i].role == Role::gravity ? " = $gravity" : " = $noWrenches"));
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const bool is_member = !callable.scope.empty();
+  const bool is_member = !overloaded.scope.empty();
   return wrapped(
-      is_member ? whole_name(callable) + " = function (" : "export function " + callable.name + "(", arguments, ") {");
+      is_member ? whole_name(overloaded) + " = function (" : "export function " + overloaded.name + "(", arguments,
+      ") {");
 }
 
 std::string checks(
     const std::string& name,
     const symbolic::Program& program,
-    const std::vector<Parameter>& parameters) {
+    const std::vector<KernelArray>& parameters) {
   std::string text;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) text += check(name, program.inputs[i], parameters[i]);
   return text;
@@ -216,18 +217,18 @@ std::string print_private(const Function& function, std::string& text) {
 }
 
 // Prints a function that computes right-hand sides and replaces them by the solutions.
-std::string print_column_loop(const Library& library, const Callable& callable) {
-  const Function& function = callable.longest();
+std::string print_column_loop(const Library& library, const OverloadedFunction& overloaded) {
+  const Function& function = overloaded.longest();
   const Kernel kernel = without_lines(function, dialect());
   std::string text;
-  const Function& stage = right_sides(library, function);
-  const std::string right = print_private(stage, text);
+  const Function& sides = right_sides(library, function);
+  const std::string right = print_private(sides, text);
   const std::string solution = print_private(column_solution(*function.solved), text);
-  text += documentation(library, callable, kernel) +
-          signature(callable, function.program, kernel, required_inputs(library, callable)) +
-          checks(whole_name(callable), function.program, kernel.parameters) +
+  text += documentation(library, overloaded, kernel) +
+          signature(overloaded, function.program, kernel, required_inputs(library, overloaded)) +
+          checks(whole_name(overloaded), function.program, kernel.parameters) +
           wrapped(
-              "  const { " + stage.program.outputs.back().name + ": $factor, ...$results } = " + right + "(",
+              "  const { " + sides.program.outputs.back().name + ": $factor, ...$results } = " + right + "(",
               input_names(function.program, kernel), ");");
   for (const symbolic::SolvedColumns::Block& block : function.solved->blocks)
     text += "  $solve($results." + function.program.outputs[at(block.output)].name + ", " +
@@ -243,31 +244,31 @@ function $solve(rows, count, solution) {
 }
 )";
 
-std::string print_function(const Library& library, const Callable& callable) {
-  if (callable.longest().solved) return print_column_loop(library, callable);
-  const symbolic::Program& program = callable.longest().program;
-  const Kernel kernel = lower(program, callable.name, dialect());
-  const bool is_member = !callable.scope.empty();
-  return documentation(library, callable, kernel) +
-         signature(callable, program, kernel, required_inputs(library, callable)) +
-         body(whole_name(callable), program, kernel) + results(program, kernel) + (is_member ? "};\n" : "}\n");
+std::string print_function(const Library& library, const OverloadedFunction& overloaded) {
+  if (overloaded.longest().solved) return print_column_loop(library, overloaded);
+  const symbolic::Program& program = overloaded.longest().program;
+  const Kernel kernel = lower(program, overloaded.name, dialect());
+  const bool is_member = !overloaded.scope.empty();
+  return documentation(library, overloaded, kernel) +
+         signature(overloaded, program, kernel, required_inputs(library, overloaded)) +
+         body(whole_name(overloaded), program, kernel) + results(program, kernel) + (is_member ? "};\n" : "}\n");
 }
 
-std::string print_product(const Library& library, const Function& function, const Callable& callable) {
+std::string print_product(const Library& library, const Function& function, const OverloadedFunction& overloaded) {
   const ProductData& data = function.product.value();
   const Product product = product_of_primitives(data, function.kernel, dialect());
   std::vector<std::string> lines = {
       convention_of_primitives(library),
       "@param {object} primitives your functions Rx, Ry, Rz, Tx, Ty, Tz of one number, and multiply(A, B)"};
   return "\n/**\n" + comment_lines(lines, " * ") + " */\n" +
-         signature(callable, data.amounts, product.kernel, data.amounts.inputs.size(), {"primitives"}) +
-         body(whole_name(callable), data.amounts, product.kernel) +
+         signature(overloaded, data.amounts, product.kernel, data.amounts.inputs.size(), {"primitives"}) +
+         body(whole_name(overloaded), data.amounts, product.kernel) +
          "  const { Rx, Ry, Rz, Tx, Ty, Tz, multiply } = primitives;\n" +
          wrapped("  return [", product.factors, "].reduce((A, B) => multiply(A, B));") + "};\n";
 }
 
 // The objects of scopes, each before its members.
-std::string print_scopes(const std::vector<Callable>& all) {
+std::string print_scopes(const std::vector<OverloadedFunction>& all) {
   std::string text;
   for (const std::string& scope : scopes(all))
     text += (scope.find('.') == std::string::npos ? "export const " : "") + scope + " = {};\n";
@@ -275,10 +276,10 @@ std::string print_scopes(const std::vector<Callable>& all) {
 }
 
 std::string print_parameters(const Library& library) {
-  const std::vector<std::string> names = members(library.parameter_names());
+  const std::vector<std::string> names = members(model::names_of(library.parameters()));
   std::vector<std::string> initial;
   for (std::size_t i = 0; i < names.size(); ++i)
-    initial.push_back(names[i] + ": " + number(library.parameters[i].default_value));
+    initial.push_back(names[i] + ": " + number(model::default_of(library.parameters()[i])));
   return "\n/** Values of the parameters as the document declares them; NaN for a parameter without a value. */\n"
          "export function parameters() {\n" +
          wrapped("  return {", initial, " };") + "}\n" + kParameterChecks;
@@ -293,30 +294,30 @@ bool has_quaternions(const Function& f) {
 
 std::vector<OutputFile> print(const Library& library) {
   const std::string file = identifier(flat(library.enclosing, library.name), is_free) + ".mjs";
-  std::vector<Callable> all = named_callables(library);
-  std::vector<std::pair<const Function*, Callable>> products;
+  std::vector<OverloadedFunction> all = named_functions(library);
+  std::vector<std::pair<const Function*, OverloadedFunction>> products;
   if (library.primitives != PrimitiveConvention::none)
-    for (const Callable& callable : all)
-      if (callable.longest().product)
-        products.push_back({&callable.longest(), {"transforms.product", callable.name, {}}});
-  std::vector<Callable> scopes = all;
-  for (const auto& [function, callable] : products) scopes.push_back(callable);
+    for (const OverloadedFunction& overloaded : all)
+      if (overloaded.longest().product)
+        products.push_back({&overloaded.longest(), {"transforms.product", overloaded.name, {}}});
+  std::vector<OverloadedFunction> scopes = all;
+  for (const auto& [function, overloaded] : products) scopes.push_back(overloaded);
 
   std::string text = comment_lines(
-      {library.robot + ": generated by robcogen from " + library.model_file + " (model " + library.model_hash +
+      {library.title() + ": generated by robcogen from " + library.model_file + " (model " + library.model_hash +
        "). Edit the model, not this file."},
       "// ");
   text += kChecks;
   if (std::any_of(library.functions.begin(), library.functions.end(), has_quaternions)) text += kQuaternionCheck;
   if (library.has_robot())
-    text += "\nconst $gravity = [0, 0, -9.81];\nconst $noWrenches = Array(" + std::to_string(library.links.size()) +
-            ").fill([0, 0, 0, 0, 0, 0]);\n" + print_model(library);
-  if (!library.parameters.empty()) text += print_parameters(library);
+    text += "\nconst $gravity = [0, 0, -9.81];\nconst $noWrenches = Array(" +
+            std::to_string(library.tree.link_count()) + ").fill([0, 0, 0, 0, 0, 0]);\n" + print_model(library);
+  if (!library.parameters().empty()) text += print_parameters(library);
   if (std::any_of(library.functions.begin(), library.functions.end(), [](const Function& f) { return f.solved; }))
     text += kSolve;
   text += print_scopes(scopes);
-  for (const Callable& callable : all) text += print_function(library, callable);
-  for (const auto& [function, callable] : products) text += print_product(library, *function, callable);
+  for (const OverloadedFunction& overloaded : all) text += print_function(library, overloaded);
+  for (const auto& [function, overloaded] : products) text += print_product(library, *function, overloaded);
   return {{file, text}};
 }
 

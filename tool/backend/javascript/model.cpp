@@ -39,14 +39,14 @@ struct Pieces {
 
 std::string print_model(const Library& library) {
   std::string text = "\n/**\n" + comment_lines(describe_constants(library), " * ") + " */\nexport const model = {\n";
-  text += "  name: " + quoted(library.robot) + ",\n";
-  text += "  dof: " + std::to_string(library.joints.size()) + ",\n";
-  if (library.has_own_positions()) {
+  text += "  name: " + quoted(library.title()) + ",\n";
+  text += "  dof: " + std::to_string(library.tree.dof()) + ",\n";
+  if (model::has_own_positions(library.tree)) {
     std::vector<std::string> names;
-    for (const std::string& name : library.positions) names.push_back(quoted(name));
+    for (const std::string& name : model::position_names(library.tree)) names.push_back(quoted(name));
     text += wrapped("  positions: [", names, "],");
   }
-  text += std::string("  floating_base: ") + (library.floating_base ? "true" : "false") + ",\n";
+  text += std::string("  floating_base: ") + (library.tree.floating_base ? "true" : "false") + ",\n";
   for (const ConstantList& list : constants(library)) {
     text += "  " + list.name + ": [\n";
     for (const std::vector<Constant>& item : list.items) {

@@ -24,7 +24,7 @@ struct Argument {
 std::vector<Argument> arguments(const std::vector<InputArray>& inputs, const Kernel& kernel, std::size_t count) {
   std::vector<Argument> result;
   for (std::size_t i = 0; i < count; ++i) {
-    const Parameter& parameter = kernel.parameters[i];
+    const KernelArray& parameter = kernel.parameters[i];
     Argument a{parameter.name, static_cast<int>(inputs[i].elements.size()), 1, inputs[i].role, inputs[i].quaternions};
     if (a.role == Role::variables) {
       for (const std::string& element : parameter.elements) result.push_back({element});

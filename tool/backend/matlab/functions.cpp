@@ -17,7 +17,7 @@ using symbolic::Role;
 std::string signature(const Program& program, const Kernel& kernel, const std::string& name) {
   std::vector<std::string> arguments, results;
   for (std::size_t i = 0; i < kernel.parameters.size(); ++i) {
-    const Parameter& p = kernel.parameters[i];
+    const KernelArray& p = kernel.parameters[i];
     if (p.output) {
       results.push_back(p.name);
     } else if (program.inputs[i].role == Role::variables) {
@@ -43,8 +43,8 @@ std::string blocks(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string whole_name(const Library& library, const std::string& scope, const Callable& callable) {
-  return joined(packages(library, scope), ".") + "." + callable.name;
+std::string whole_name(const Library& library, const std::string& scope, const OverloadedFunction& overloaded) {
+  return joined(packages(library, scope), ".") + "." + overloaded.name;
 }
 
 std::string results(const Program& program, const Kernel& kernel, const std::vector<std::string>& joints = {}) {
@@ -62,13 +62,13 @@ std::string print_local(const Function& function, const std::string& name) {
 }
 
 // Prints a function that computes right-hand sides and replaces them by the solutions.
-std::string print_column_loop(const Library& library, const Callable& callable) {
-  const Function &function = callable.longest(), &stage = right_sides(library, function);
+std::string print_column_loop(const Library& library, const OverloadedFunction& overloaded) {
+  const Function &function = overloaded.longest(), &sides = right_sides(library, function);
   const Program& program = function.program;
   const Kernel kernel = without_lines(function, dialect());
-  const std::string factor = parameters(stage.program, dialect()).back().name;
+  const std::string factor = parameters(sides.program, dialect()).back().name;
   std::vector<std::string> arguments, values;
-  for (const Parameter& p : kernel.parameters) (p.output ? values : arguments).push_back(p.name);
+  for (const KernelArray& p : kernel.parameters) (p.output ? values : arguments).push_back(p.name);
   values.push_back(factor);
   std::string loops = wrapped("  [", values, "] = ...");
   loops += wrapped("    right_sides(", arguments, ");");
@@ -78,36 +78,36 @@ std::string print_column_loop(const Library& library, const Callable& callable) 
              column + ");\n  end\n";
   }
   const std::string checks = print_checks(
-      whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
-  return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
-         blocks({origin(library), checks, loops}) + "end\n" + print_local(stage, "right_sides") +
+      whole_name(library, overloaded.scope, overloaded), program.inputs, kernel, required_inputs(library, overloaded));
+  return signature(program, kernel, overloaded.name) + help(library, overloaded, kernel) + "\n" +
+         blocks({origin(library), checks, loops}) + "end\n" + print_local(sides, "right_sides") +
          print_local(column_solution(*function.solved), "solution");
 }
 
 }  // namespace
 
-std::string print_function(const Library& library, const Callable& callable) {
-  const Function& function = callable.longest();
-  if (function.solved) return print_column_loop(library, callable);
+std::string print_function(const Library& library, const OverloadedFunction& overloaded) {
+  const Function& function = overloaded.longest();
+  if (function.solved) return print_column_loop(library, overloaded);
   const Program& program = function.program;
-  const Kernel kernel = lower(program, callable.name, dialect());
+  const Kernel kernel = lower(program, overloaded.name, dialect());
   const std::vector<std::string> joints = column_joints(library, function);
   const std::string checks = print_checks(
-      whole_name(library, callable.scope, callable), program.inputs, kernel, required_inputs(library, callable));
-  return signature(program, kernel, callable.name) + help(library, callable, kernel) + "\n" +
+      whole_name(library, overloaded.scope, overloaded), program.inputs, kernel, required_inputs(library, overloaded));
+  return signature(program, kernel, overloaded.name) + help(library, overloaded, kernel) + "\n" +
          blocks({origin(library), checks, body(kernel, dialect()), results(program, kernel, joints)}) + "end\n";
 }
 
-std::string print_product(const Library& library, const Callable& callable) {
-  ProductData data = callable.longest().product.value();
+std::string print_product(const Library& library, const OverloadedFunction& overloaded) {
+  ProductData data = overloaded.longest().product.value();
   data.amounts.outputs.front().name = "X";
-  const Product product = product_of_primitives(data, callable.longest().kernel, dialect());
+  const Product product = product_of_primitives(data, overloaded.longest().kernel, dialect());
   const std::vector<InputArray>& inputs = data.amounts.inputs;
   const std::string result = "  " + product.kernel.parameters.back().name + " =";
   const std::string checks =
-      print_checks(whole_name(library, "transforms::product", callable), inputs, product.kernel, inputs.size());
-  return signature(data.amounts, product.kernel, callable.name) +
-         heading(callable.name, {convention_of_primitives(library)}) +
+      print_checks(whole_name(library, "transforms::product", overloaded), inputs, product.kernel, inputs.size());
+  return signature(data.amounts, product.kernel, overloaded.name) +
+         heading(overloaded.name, {convention_of_primitives(library)}) +
          describe_arguments(inputs, product.kernel, inputs.size()) + "\n" +
          blocks(
              {origin(library), checks, body(product.kernel, dialect()), wrapped(result, product.factors, ";", " *")}) +

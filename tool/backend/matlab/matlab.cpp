@@ -35,14 +35,14 @@ struct PackageNames {
   }
 };
 
-// The callables under names that are legal in MATLAB.
-std::vector<Callable> named_callables(const Library& library) {
-  std::vector<Callable> result = callables(library);
+// The functions under names that are legal in MATLAB.
+std::vector<OverloadedFunction> named_functions(const Library& library) {
+  std::vector<OverloadedFunction> result = overloaded_functions(library);
   std::map<std::string, PackageNames> taken;
   for (const std::string name : {"contents", "model", "parameters"}) taken[""].claim(name);
-  for (Callable& callable : result) {
-    const auto other = callable.scope == "inertia_factor" ? renamed().find(callable.name) : renamed().end();
-    callable.name = taken[callable.scope].claim(other == renamed().end() ? callable.name : other->second);
+  for (OverloadedFunction& overloaded : result) {
+    const auto other = overloaded.scope == "inertia_factor" ? renamed().find(overloaded.name) : renamed().end();
+    overloaded.name = taken[overloaded.scope].claim(other == renamed().end() ? overloaded.name : other->second);
   }
   return result;
 }
@@ -70,18 +70,18 @@ std::vector<std::string> packages(const Library& library, const std::string& sco
 }
 
 std::vector<OutputFile> print(const Library& library) {
-  const std::vector<Callable> all = named_callables(library);
+  const std::vector<OverloadedFunction> all = named_functions(library);
   const std::string top = package(library, "");
   std::vector<OutputFile> files = {{top + "Contents.m", print_contents(library, all)}};
   if (library.has_robot()) files.push_back({top + "model.m", print_model(library)});
-  if (!library.parameters.empty()) files.push_back({top + "parameters.m", print_parameters(library)});
-  for (const Callable& callable : all)
-    files.push_back({package(library, callable.scope) + callable.name + ".m", print_function(library, callable)});
+  if (!library.parameters().empty()) files.push_back({top + "parameters.m", print_parameters(library)});
+  for (const OverloadedFunction& overloaded : all)
+    files.push_back({package(library, overloaded.scope) + overloaded.name + ".m", print_function(library, overloaded)});
   if (library.primitives == PrimitiveConvention::none) return files;
-  for (const Callable& callable : all)
-    if (callable.longest().product)
+  for (const OverloadedFunction& overloaded : all)
+    if (overloaded.longest().product)
       files.push_back(
-          {package(library, "transforms::product") + callable.name + ".m", print_product(library, callable)});
+          {package(library, "transforms::product") + overloaded.name + ".m", print_product(library, overloaded)});
   return files;
 }
 

@@ -142,14 +142,14 @@ std::string print_scope(const std::vector<Function>& all, const std::string& sco
 }
 
 std::string print_parameters(const Library& library) {
-  if (library.parameters.empty()) return "";
+  if (library.parameters().empty()) return "";
   std::string members, arguments;
   bool has_keywords = false;
-  for (const ParameterData& p : library.parameters) {
+  for (const model::Parameter& p : library.parameters()) {
     has_keywords = has_keywords || is_keyword(p.name);
     if (is_keyword(p.name)) continue;
     members += "    @property\n    def " + p.name + "(self) -> float: ...\n";
-    arguments += ", " + p.name + ": float" + (std::isnan(p.default_value) ? "" : " = ...");
+    arguments += ", " + p.name + ": float" + (p.default_value ? " = ..." : "");
   }
   const std::string star = arguments.empty() ? "" : ", *";
   return "\nclass Parameters:\n    def __init__(self" + star + arguments + (has_keywords ? ", **others: float" : "") +
@@ -172,13 +172,13 @@ std::vector<Function> functions(const cpp::Api& api) {
     });
     const backend::Function& longest = *f.overloads.back()->function;
     const symbolic::Program& program = longest.program;
-    const std::vector<Parameter>& names = f.overloads.back()->parameters;
+    const std::vector<KernelArray>& names = f.overloads.back()->parameters;
     for (std::size_t i = 0; i < program.inputs.size(); ++i)
       f.arguments.push_back(argument(api, program.inputs[i], names[i].name));
     for (std::size_t i = 0; i < program.outputs.size(); ++i)
       f.results.push_back(result_of(longest, i, names[program.inputs.size() + i].name));
     const std::vector<InputArray>& fewest = f.overloads.front()->function->program.inputs;
-    const bool may_omit = !api.library->floating_base && !fewest.empty() && fewest.back().role == Role::gravity;
+    const bool may_omit = !api.library->tree.floating_base && !fewest.empty() && fewest.back().role == Role::gravity;
     f.required = static_cast<int>(fewest.size()) - (may_omit ? 1 : 0);
     f.summary = longest.summary;
     f.remark = remark_on_positions(program);

@@ -89,17 +89,17 @@ Function gravity() {
 
 // The positions and the velocity of all joints, under these names.
 Array positions(const Library& library, const std::string& name) {
-  Array q = vector(name, static_cast<int>(library.position_names().size()), meaning(Role::joint_position));
-  q.quaternions = library.quaternions();
+  Array q = vector(name, library.tree.position_count(), meaning(Role::joint_position));
+  q.quaternions = model::quaternions(library.tree);
   return q;
 }
 Array velocities(const Library& library, const std::string& name) {
-  return vector(name, static_cast<int>(library.joints.size()), meaning(Role::joint_velocity));
+  return vector(name, library.tree.dof(), meaning(Role::joint_velocity));
 }
 
 std::vector<Function> integration(const Library& library) {
-  std::vector<std::string> numbers = {std::to_string(library.joints.size())};
-  for (const int first : library.quaternions()) numbers.push_back(std::to_string(first));
+  std::vector<std::string> numbers = {std::to_string(library.tree.dof())};
+  for (const int first : model::quaternions(library.tree)) numbers.push_back(std::to_string(first));
   const std::string joints = "robcogen::python::Joints<" + joined(numbers) + ">";
   const Array twist = vector("base_velocity", 6, meaning(Role::base_velocity));
   const Array step = {"dt", 0, 1, 1, 1, false, false, {}, "time (s)"};
@@ -132,12 +132,12 @@ std::vector<Function> integration(const Library& library) {
 std::vector<Function> pose_functions(const cpp::Api& api) {
   const Library& library = *api.library;
   std::vector<Function> result;
-  if (library.floating_base || std::any_of(api.callables.begin(), api.callables.end(), reads_pose)) {
+  if (library.tree.floating_base || std::any_of(api.callables.begin(), api.callables.end(), reads_pose)) {
     result = conversions();
     result.push_back(gravity());
   }
   // Joints that follow others through loops move by close_loops.
-  if (library.floating_base && library.followers.empty())
+  if (library.tree.floating_base && library.tree.followers_in_q().empty())
     for (Function& f : integration(library)) result.push_back(std::move(f));
   for (Function& f : result)
     if (f.call.rfind(kHeader, 0) != 0) f.call = kHeader + f.call;

@@ -11,6 +11,7 @@
 #include "backend/cpp/printers.h"
 #include "backend/python/functions.h"
 #include "support/concat.h"
+#include "support/index.h"
 #include "support/number.h"
 
 namespace robcogen::backend::python {
@@ -142,9 +143,9 @@ std::string print_table(const Library& library, const Function& f, Constants& co
 std::string print_parameters(const cpp::Api& api, Constants& constants) {
   if (!api.is_parametric()) return "{}";
   std::vector<std::string> names, defaults;
-  for (const ParameterData& p : api.library->parameters) {
+  for (const model::Parameter& p : api.library->parameters()) {
     names.push_back(quoted(p.name));
-    defaults.push_back(number(p.default_value));
+    defaults.push_back(number(model::default_of(p)));
   }
   return braced(
       {constants.array("char* const", "Names", names), constants.array("double", "Numbers", defaults), "&make",
@@ -174,9 +175,9 @@ std::vector<std::string> each(const List& list, F text) {
   return items;
 }
 
-std::string print_limb(const LimbData& l, Constants& constants) {
-  const auto elements = [&](const std::vector<LimbData::Element>& list) {
-    const auto text = [](const LimbData::Element& e) { return braced({quoted(e.own), std::to_string(e.index)}); };
+std::string print_limb(const model::Limb& l, Constants& constants) {
+  const auto elements = [&](const std::vector<model::Limb::Element>& list) {
+    const auto text = [](const model::Limb::Element& e) { return braced({quoted(e.own), std::to_string(e.index)}); };
     return constants.array(type("LimbElement"), "Elements", each(list, text));
   };
   return braced(
@@ -187,39 +188,39 @@ std::string print_limb(const LimbData& l, Constants& constants) {
 // The table of the whole module, after the arrays that it refers to.
 std::string print_module(const cpp::Api& api, const std::vector<Function>& functions) {
   const Library& library = *api.library;
+  const model::KinematicTree& tree = library.tree;
   Constants constants;
   std::string rows;
   for (const Function& f : functions) rows += print_table(library, f, constants);
   const auto names = [&](const std::vector<std::string>& list) {
     return constants.array("char* const", "Names", each(list, cpp::quoted));
   };
-  const auto name = [](const auto& item) { return item.name; };
-  const auto limits = [&](double JointLimits::*member) {
-    const auto text = [member](const JointData& joint) { return number(joint.limits.*member); };
-    return constants.array("double", "Numbers", each(library.joints, text));
+  const std::vector<int> coordinates = tree.coordinates(), joints = model::independent_joints_first(tree);
+  const auto limits = [&](double model::JointLimits::*member) {
+    const auto text = [&](int j) { return number(tree.joints[at(j)].limits.*member); };
+    return constants.array("double", "Numbers", each(coordinates, text));
   };
-  const auto parent = [&](const LinkData& link) {
-    if (link.parent_joint < 0) return std::string("-1");
-    return std::to_string(library.all_joints()[static_cast<std::size_t>(link.parent_joint)].parent);
+  const auto parent = [&](int carrier) {
+    return carrier < 0 ? std::string("-1") : std::to_string(model::parent_link(tree, joints[at(carrier)]));
   };
-  const auto limb = [&](const LimbData& l) { return print_limb(l, constants); };
+  const auto limb = [&](const model::Limb& l) { return print_limb(l, constants); };
   const std::vector<std::string> fields = {
       "    " + quoted(library.name),
       "    " + quoted(
-                   library.has_robot() ? "Kinematics and dynamics of the robot " + library.robot + "."
-                                       : "Coordinate transforms of the model " + library.robot + "."),
+                   library.has_robot() ? "Kinematics and dynamics of the robot " + library.title() + "."
+                                       : "Coordinate transforms of the model " + library.title() + "."),
       rows.empty() ? "    {}" : "    kFunctions",
       "    " + print_parameters(api, constants),
-      "    " + names(each(library.joints, name)),
-      "    " + names(library.position_names()),
-      "    " + names(each(library.links, name)),
-      "    " + names(each(library.frames, name)),
-      "    " + constants.array("int", "Indices", each(library.links, parent)),
-      "    " + limits(&JointLimits::lower),
-      "    " + limits(&JointLimits::upper),
-      "    " + limits(&JointLimits::velocity),
-      "    " + limits(&JointLimits::effort),
-      "    " + constants.array(type("Limb"), "Limbs", each(library.limbs, limb))};
+      "    " + names(model::names_of(tree, coordinates)),
+      "    " + names(model::position_names(tree)),
+      "    " + names(model::link_names(tree)),
+      "    " + names(library.frames()),
+      "    " + constants.array("int", "Indices", each(model::carrying_joints(tree), parent)),
+      "    " + limits(&model::JointLimits::lower),
+      "    " + limits(&model::JointLimits::upper),
+      "    " + limits(&model::JointLimits::velocity),
+      "    " + limits(&model::JointLimits::effort),
+      "    " + constants.array(type("Limb"), "Limbs", each(model::listed_limbs(tree), limb))};
   const std::string table = rows.empty() ? "" : "\nconst " + type("Function") + " kFunctions[] = {\n" + rows + "};\n";
   return constants.text() + table + "\nconst " + type("Module") + " kModule = {\n" + joined(fields, ",\n") + "};\n";
 }

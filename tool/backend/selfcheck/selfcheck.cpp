@@ -25,15 +25,16 @@ std::string as_structure(const std::string& type, const std::string& array) {
 // The specialisation of a kernel for one precision: it calls the function in C.
 std::string definition(
     const Callable& kernel,
-    const c::Callable& function,
+    const c::NamedFunction& function,
     const std::string& prefix,
     bool is_update,
     const c::Precision& precision) {
   const std::string structure = "::" + prefix + (is_update ? "_parameters" : "_cache") + precision.suffix;
-  const std::vector<Parameter> in_c = parameters(kernel.function->program, c::dialect(precision, function.reads_cache));
+  const std::vector<KernelArray> in_c =
+      parameters(kernel.function->program, c::dialect(precision, function.reads_cache));
   std::vector<std::string> list, arguments;
   for (std::size_t i = 0; i < kernel.parameters.size(); ++i) {
-    const Parameter& p = kernel.parameters[i];
+    const KernelArray& p = kernel.parameters[i];
     list.push_back((p.output ? "" : "const ") + precision.scalar + "* " + p.name);
     arguments.push_back(in_c[i].is_structure ? as_structure(structure, p.name) : p.name);
   }
@@ -47,12 +48,12 @@ std::string print_kernels(const Api& api, const std::string& path) {
   const c::Names names = c::names(*api.library);
   const std::string folder = cpp::folder(*api.library);
   std::vector<std::string> definitions;
-  for (std::size_t i = 0; i < names.callables.size(); ++i) {
+  for (std::size_t i = 0; i < names.functions.size(); ++i) {
     const bool is_update = i >= api.callables.size();
     const Callable& kernel = is_update ? api.updates[i - api.callables.size()] : api.callables[i];
     for (const c::Precision& precision : c::kPrecisions)
       if (!precision.is_float || api.library->has_single_precision)
-        definitions.push_back(definition(kernel, names.callables[i], names.prefix, is_update, precision));
+        definitions.push_back(definition(kernel, names.functions[i], names.prefix, is_update, precision));
   }
   std::string instantiations;
   for (const Callable& n : api.numbers) instantiations += cpp::explicit_instantiations(api, n.kernel);

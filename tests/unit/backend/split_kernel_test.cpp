@@ -1,5 +1,5 @@
 // Long kernels are split into parts: each reads only its arguments, and together they give the results of the whole.
-#include "backend/common/parts.h"
+#include "backend/common/split_kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ namespace {
 
 using symbolic::Program;
 
-Parts parts_of(const Program& program, std::size_t longest) {
-  return in_parts(lower(program, "leg"), longest, dialect());
+SplitKernel split(const Program& program, std::size_t longest) {
+  return split_kernel(lower(program, "leg"), longest, dialect());
 }
 
 std::vector<std::string> texts(const Kernel& kernel) {
@@ -29,9 +29,9 @@ std::vector<std::string> texts(const Kernel& kernel) {
   return result;
 }
 
-std::vector<std::string> names(const std::vector<Parameter>& parameters) {
+std::vector<std::string> names(const std::vector<KernelArray>& parameters) {
   std::vector<std::string> result;
-  for (const Parameter& p : parameters) result.push_back(p.name);
+  for (const KernelArray& p : parameters) result.push_back(p.name);
   return result;
 }
 
@@ -46,42 +46,42 @@ const char* const kTwoLinks =
     "tmp t0 = knee_a + knee_b\n"
     "return tau t0\n";
 
-TEST(Parts, AreCutBetweenSectionsAndHandOnWhatIsReadLater) {
-  const Parts parts = parts_of(test::leg_program(kTwoLinks), 4);
-  ASSERT_EQ(parts.kernels.size(), 2u);
-  EXPECT_EQ(parts.kernels[0].name, "leg_1");
-  EXPECT_EQ(names(parts.kernels[0].parameters), (Texts{"q", "qd", "kept"}));
+TEST(SplitKernel, IsCutBetweenSectionsAndKeepsWhatIsReadLater) {
+  const SplitKernel kernel = split(test::leg_program(kTwoLinks), 4);
+  ASSERT_EQ(kernel.parts.size(), 2u);
+  EXPECT_EQ(kernel.parts[0].name, "leg_1");
+  EXPECT_EQ(names(kernel.parts[0].parameters), (Texts{"q", "qd", "kept"}));
   EXPECT_EQ(
-      texts(parts.kernels[0]), (Texts{
-                                   "// link hip: velocity",
-                                   "const Scalar hip_a = q[0] + qd[0];",
-                                   "const Scalar hip_b = hip_a * hip_a;",
-                                   "kept[0] = hip_b;",
-                               }));
-  EXPECT_EQ(parts.kernels[1].name, "leg_2");
-  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "tau", "kept"}));
+      texts(kernel.parts[0]), (Texts{
+                                  "// link hip: velocity",
+                                  "const Scalar hip_a = q[0] + qd[0];",
+                                  "const Scalar hip_b = hip_a * hip_a;",
+                                  "kept[0] = hip_b;",
+                              }));
+  EXPECT_EQ(kernel.parts[1].name, "leg_2");
+  EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"q", "tau", "kept"}));
   EXPECT_EQ(
-      texts(parts.kernels[1]), (Texts{
-                                   "const Scalar& hip_b = kept[0];",
-                                   "// link knee: velocity",
-                                   "const Scalar knee_a = hip_b * q[1];",
-                                   "const Scalar knee_b = knee_a * knee_a;",
-                                   "tau[0] = knee_a + knee_b;",
-                               }));
-  ASSERT_EQ(parts.handed.size(), 1u);
-  EXPECT_EQ(parts.handed[0].size, 1u);
+      texts(kernel.parts[1]), (Texts{
+                                  "const Scalar& hip_b = kept[0];",
+                                  "// link knee: velocity",
+                                  "const Scalar knee_a = hip_b * q[1];",
+                                  "const Scalar knee_b = knee_a * knee_a;",
+                                  "tau[0] = knee_a + knee_b;",
+                              }));
+  ASSERT_EQ(kernel.live.size(), 1u);
+  EXPECT_EQ(kernel.live[0].size, 1u);
 }
 
-TEST(Parts, AreOneWhereAllLinesFit) {
-  const Parts parts = parts_of(test::leg_program(kTwoLinks), 100);
-  ASSERT_EQ(parts.kernels.size(), 1u);
-  EXPECT_TRUE(parts.handed.empty());
-  EXPECT_EQ(texts(parts.kernels[0]), texts(lower(test::leg_program(kTwoLinks), "leg")));
+TEST(SplitKernel, IsOnePartWhereAllLinesFit) {
+  const SplitKernel kernel = split(test::leg_program(kTwoLinks), 100);
+  ASSERT_EQ(kernel.parts.size(), 1u);
+  EXPECT_TRUE(kernel.live.empty());
+  EXPECT_EQ(texts(kernel.parts[0]), texts(lower(test::leg_program(kTwoLinks), "leg")));
 }
 
 // Of three sections, the second joins the first or the third; the first hands more values to the second than the second
 // to the third.
-TEST(Parts, AreCutWhereFewValuesAreHandedOn) {
+TEST(SplitKernel, IsCutWhereFewValuesAreLive) {
   const Program program = test::program(
       "program leg\n"
       "input q value a b c\n"
@@ -102,12 +102,12 @@ TEST(Parts, AreCutWhereFewValuesAreHandedOn) {
       "let b = a * a\n"
       "let c = b * a\n"
       "return tau c\n");
-  const Parts parts = parts_of(program, 8);
-  ASSERT_EQ(parts.kernels.size(), 2u);
-  EXPECT_EQ(texts(parts.kernels[1]).front(), "const Scalar& w = kept[0];");
+  const SplitKernel kernel = split(program, 8);
+  ASSERT_EQ(kernel.parts.size(), 2u);
+  EXPECT_EQ(texts(kernel.parts[1]).front(), "const Scalar& w = kept[0];");
 }
 
-TEST(Parts, NameParametersWhereTheyAreRead) {
+TEST(SplitKernel, NamesParametersWhereTheyAreRead) {
   const Program program = test::program(
       "program leg\n"
       "input parameters parameters length mass\n"
@@ -121,15 +121,15 @@ TEST(Parts, NameParametersWhereTheyAreRead) {
       "let y = parameters[1] * x\n"
       "tmp t0 = y * y\n"
       "return tau t0\n");
-  const Parts parts = parts_of(program, 2);
-  ASSERT_EQ(parts.kernels.size(), 2u);
-  EXPECT_EQ(texts(parts.kernels[0])[0], "const Scalar& length = parameters[0];");
-  EXPECT_EQ(texts(parts.kernels[1])[0], "const Scalar& mass = parameters[1];");
-  EXPECT_EQ(texts(parts.kernels[1])[1], "const Scalar& x = kept[0];");
-  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"parameters", "tau", "kept"}));
+  const SplitKernel kernel = split(program, 2);
+  ASSERT_EQ(kernel.parts.size(), 2u);
+  EXPECT_EQ(texts(kernel.parts[0])[0], "const Scalar& length = parameters[0];");
+  EXPECT_EQ(texts(kernel.parts[1])[0], "const Scalar& mass = parameters[1];");
+  EXPECT_EQ(texts(kernel.parts[1])[1], "const Scalar& x = kept[0];");
+  EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"parameters", "tau", "kept"}));
 }
 
-TEST(Parts, HandOnLanesInArraysOfTheirOwn) {
+TEST(SplitKernel, KeepsLanesInArraysOfTheirOwn) {
   const Program program = test::program(
       "program leg\n"
       "input q value a b\n"
@@ -144,16 +144,16 @@ TEST(Parts, HandOnLanesInArraysOfTheirOwn) {
       "let s = sum_lanes z\n"
       "let t = s * y\n"
       "return tau t\n");
-  const Parts parts = parts_of(program, 3);
-  ASSERT_EQ(parts.kernels.size(), 2u);
-  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"tau", "kept", "kept_2"}));
-  EXPECT_EQ(texts(parts.kernels[1])[0], "const Lanes2& x = kept_2[0];");
-  EXPECT_EQ(parts.kernels[1].widths, std::vector<int>{2});
-  ASSERT_EQ(parts.handed.size(), 2u);
-  EXPECT_EQ(parts.handed[1].array.width, 2);
+  const SplitKernel kernel = split(program, 3);
+  ASSERT_EQ(kernel.parts.size(), 2u);
+  EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"tau", "kept", "kept_2"}));
+  EXPECT_EQ(texts(kernel.parts[1])[0], "const Lanes2& x = kept_2[0];");
+  EXPECT_EQ(kernel.parts[1].widths, std::vector<int>{2});
+  ASSERT_EQ(kernel.live.size(), 2u);
+  EXPECT_EQ(kernel.live[1].array.width, 2);
 }
 
-TEST(Parts, LoadBlocksWhereTheyAreReadAndStoreThem) {
+TEST(SplitKernel, LoadsBlocksWhereTheyAreReadAndStoresThem) {
   const Program program = test::program(
       "program limbs\n"
       "input q joint_position a0 a1 b0 b1\n"
@@ -167,24 +167,24 @@ TEST(Parts, LoadBlocksWhereTheyAreReadAndStoreThem) {
       "in 1\n"
       "let y = x + s\n"
       "return out x@0 y@0 x@1 y@1\n");
-  const Parts parts = parts_of(program, 3);
-  ASSERT_EQ(parts.kernels.size(), 2u);
+  const SplitKernel kernel = split(program, 3);
+  ASSERT_EQ(kernel.parts.size(), 2u);
   EXPECT_EQ(
-      texts(parts.kernels[0]), (Texts{
-                                   "// first",
-                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
-                                   "const Lanes2 x = q_lanes[0] * q_lanes[1];",
-                                   "kept_2[0] = x;",
-                               }));
+      texts(kernel.parts[0]), (Texts{
+                                  "// first",
+                                  "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                  "const Lanes2 x = q_lanes[0] * q_lanes[1];",
+                                  "kept_2[0] = x;",
+                              }));
   EXPECT_EQ(
-      texts(parts.kernels[1]), (Texts{
-                                   "const Lanes2& x = kept_2[0];",
-                                   "// second",
-                                   "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
-                                   "const Lanes2 y = x + q_lanes[0];",
-                                   "robcogen::store_lanes<2>(&out[0], x, y);",
-                               }));
-  EXPECT_EQ(names(parts.kernels[1].parameters), (Texts{"q", "out", "kept_2"}));
+      texts(kernel.parts[1]), (Texts{
+                                  "const Lanes2& x = kept_2[0];",
+                                  "// second",
+                                  "const auto q_lanes = robcogen::load_lanes<2, 2, 2>(&q[0]);",
+                                  "const Lanes2 y = x + q_lanes[0];",
+                                  "robcogen::store_lanes<2>(&out[0], x, y);",
+                              }));
+  EXPECT_EQ(names(kernel.parts[1].parameters), (Texts{"q", "out", "kept_2"}));
 }
 
 // Returns the words of a text.
@@ -202,12 +202,12 @@ std::set<std::string> words(const std::string& text) {
 }
 
 // The texts decide: a line lists exactly those values, parameters and functions whose names are words of its text.
-TEST(PartsProperty, FollowTheNamesThatTheTextOfALineRefersTo) {
+TEST(SplitKernelProperty, FollowsTheNamesThatTheTextOfALineRefersTo) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Kernel kernel = lower(test::RandomProgram(seed).make(), "leg");
     std::set<std::string> known(kernel.functions.begin(), kernel.functions.end());
-    for (const Parameter& p : kernel.parameters) known.insert(p.name);
+    for (const KernelArray& p : kernel.parameters) known.insert(p.name);
     for (const Line& line : kernel.lines)
       for (const std::string& target : line.targets)
         if (target.find('[') == std::string::npos) known.insert(target);
@@ -223,7 +223,7 @@ TEST(PartsProperty, FollowTheNamesThatTheTextOfALineRefersTo) {
   }
 }
 
-TEST(PartsProperty, ComputeWhatTheProgramComputes) {
+TEST(SplitKernelProperty, ComputesWhatTheProgramComputes) {
   for (unsigned seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::RandomProgram source(seed);
@@ -236,11 +236,11 @@ TEST(PartsProperty, ComputeWhatTheProgramComputes) {
         known[array.name + "[" + std::to_string(k) + "]"] = inputs[array.name].back();
       }
     }
-    const Parts parts = parts_of(program, 1 + seed % 12);
-    for (const Kernel& part : parts.kernels) {
+    const SplitKernel kernel = split(program, 1 + seed % 12);
+    for (const Kernel& part : kernel.parts) {
       // Elements that the part stores are not given, so each is undefined before.
       test::KernelEvaluator::Values given;
-      for (const Parameter& p : part.parameters)
+      for (const KernelArray& p : part.parameters)
         for (const auto& [element, value] : known)
           if (element.rfind(p.name + "[", 0) == 0 && p.name != "kept") given.emplace(element, value);
       for (const Line& line : part.lines)
@@ -257,6 +257,21 @@ TEST(PartsProperty, ComputeWhatTheProgramComputes) {
       }
     }
   }
+}
+
+// Kernels with lanes, and those that exceed the instruction cache, have short parts.
+TEST(SplitKernel, HasPartsOfTheLengthsOfTheLanguage) {
+  Kernel kernel;
+  const auto parts_of = [&](std::size_t lines) {
+    kernel.lines.assign(lines, {Line::Kind::section, {}, "one"});
+    return is_long(kernel, dialect()) ? split_kernel(kernel, dialect()).parts.size() : 1;
+  };
+  EXPECT_EQ(parts_of(2000), 1U);
+  EXPECT_EQ(parts_of(2100), 3U);   // of 700 lines
+  EXPECT_EQ(parts_of(3200), 16U);  // of 200 lines
+  kernel.widths = {4};
+  EXPECT_EQ(parts_of(1000), 1U);
+  EXPECT_EQ(parts_of(1200), 6U);
 }
 
 }  // namespace

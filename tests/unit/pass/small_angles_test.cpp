@@ -1,12 +1,13 @@
 // Sines in lanes that do not need a check for large angles.
-#include "backend/cpp/small_angles.h"
+#include "pass/small_angles.h"
 
 #include <gtest/gtest.h>
 
-#include "backend/cpp/lower.h"
-#include "programs.h"
+#include <string>
 
-namespace robcogen::backend::cpp {
+#include "../backend/programs.h"
+
+namespace robcogen::pass {
 namespace {
 
 // True if the angles `x`, in four lanes, are known to be small.
@@ -25,7 +26,7 @@ bool known(const std::string& angle) {
       "tmp y = s * c\n"
       "tmp sum = sum_lanes y\n"
       "return out sum\n");
-  return has_small_angles(program, lower(program, "limbs"));
+  return has_small_angles(program);
 }
 
 TEST(SmallAngles, ArePositionsOfEitherSign) {
@@ -52,30 +53,11 @@ TEST(SmallAngles, AreNoOtherValues) {
   EXPECT_FALSE(known("tmp t = gather parameters[0] q[0] q[1] q[2]\ntmp x = t * t\n"));
 }
 
-// Sines of scalars have no such check, and sines in two lanes are computed together with others.
-TEST(SmallAngles, AreThoseOfLanesThatAreComputedAlone) {
-  const auto known_of = [](const std::string& statements) {
-    const symbolic::Program program = test::program(
-        "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n" + statements +
-        "return out z\n");
-    return has_small_angles(program, lower(program, "limbs"));
-  };
-  EXPECT_FALSE(known_of("tmp s = sin q[0]\ntmp z = s * q[1]\n"));
-  EXPECT_FALSE(
-      known_of("tmp u = gather q[0] q[2]\ntmp v = gather q[1] q[3]\ntmp s = sin u\ntmp t = sin v\n"
-               "tmp y = s * t\ntmp z = sum_lanes y\n"));
-}
-
-TEST(SmallAngles, AreMarkedInTheirLines) {
-  const symbolic::Program program = test::program(
-      "program limbs\ninput q joint_position a b\noutput out value 1 1\nsection limbs limbs\n"
-      "tmp u = gather q[0] q[1]\ntmp s = sin u\ntmp t = sin q[0]\ntmp y = s * t\ntmp z = sum_lanes y\n"
-      "return out z\n");
-  std::string result;
-  for (const Line& line : of_small_angles(lower(program, "limbs")).lines) result += text(line) + "\n";
-  EXPECT_NE(result.find("= robcogen::sincos_of_small(u);"), std::string::npos) << result;
-  EXPECT_EQ(result.find("sincos_of_small(q[0])"), std::string::npos) << result;
+TEST(SmallAngles, AreThoseOfSinesInLanes) {
+  EXPECT_FALSE(has_small_angles(test::program(
+      "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n"
+      "tmp s = sin q[0]\ntmp z = s * q[1]\nreturn out z\n")));
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::pass

@@ -1,4 +1,4 @@
-#include "backend/common/parts.h"
+#include "backend/common/split_kernel.h"
 
 #include <algorithm>
 #include <iterator>
@@ -67,7 +67,7 @@ std::vector<Segment> sections(const std::vector<NumberedLine>& lines) {
 struct Value {
   std::string name;
   int width = 1;
-  std::string element = {};  // the array element that holds it, if it is handed on
+  std::string element = {};  // the array element that holds it between parts, if it is live there
 };
 
 // Ascending indices of values.
@@ -96,16 +96,16 @@ class KernelSplitter {
         value_of_name_[number] = v;
   }
 
-  Parts run() {
+  SplitKernel run() {
     const std::vector<Segment> segments = cut();
     std::vector<Values> read;  // by part: values defined in parts before it
     for (const Segment& s : segments) read.push_back(read_from_before(s));
     choose_elements(segments, read);
-    Parts result;
-    for (const auto& [width, size] : sizes_) result.handed.push_back({array(width), size});
+    SplitKernel result;
+    for (const auto& [width, size] : sizes_) result.live.push_back({array(width), size});
     for (std::size_t k = 0; k < segments.size(); ++k) {
-      result.kernels.push_back(part(segments[k], read[k], result.handed));
-      result.kernels.back().name = kernel_.name + "_" + std::to_string(k + 1);
+      result.parts.push_back(part(segments[k], read[k], result.live));
+      result.parts.back().name = kernel_.name + "_" + std::to_string(k + 1);
     }
     return result;
   }
@@ -122,8 +122,8 @@ class KernelSplitter {
   std::vector<std::size_t> value_of_name_;       // by name; values_.size(): none
   std::map<int, std::size_t> sizes_;             // of the arrays, by width
 
-  static Parameter array(int width) {
-    Parameter p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
+  static KernelArray array(int width) {
+    KernelArray p{width == 1 ? "kept" : "kept_" + std::to_string(width), true};
     p.width = width;
     return p;
   }
@@ -192,10 +192,10 @@ class KernelSplitter {
     }
   }
 
-  Kernel part(const Segment& s, const Values& read, const std::vector<Handed>& handed) const {
+  Kernel part(const Segment& s, const Values& read, const std::vector<LiveValues>& live) const {
     Kernel part;
     std::vector<bool> is_read(vocabulary_.size(), false);  // by name
-    std::set<int> widths_handed;
+    std::set<int> live_widths;
     const auto note = [&](const NumberedLine& line) {
       for (const std::size_t name : line.names) is_read[name] = true;
     };
@@ -206,7 +206,7 @@ class KernelSplitter {
     for (const std::size_t v : read) {
       const Value& value = values_[v];
       part.lines.push_back({Line::Kind::binding, {value.name}, value.element, 0, value.width});
-      widths_handed.insert(value.width);
+      live_widths.insert(value.width);
     }
     std::vector<const NumberedLine*> blocks;
     for (const NumberedLine& block : blocks_) blocks.push_back(&block);
@@ -223,7 +223,7 @@ class KernelSplitter {
         const Value& value = values_[v];
         if (value.element.empty()) continue;
         part.lines.push_back({Line::Kind::store, {value.element}, value.name});
-        widths_handed.insert(value.width);
+        live_widths.insert(value.width);
       }
     }
     std::vector<Line> elements;
@@ -233,10 +233,10 @@ class KernelSplitter {
       note(binding);
     }
     part.lines.insert(part.lines.begin(), elements.begin(), elements.end());
-    for (const Parameter& p : kernel_.parameters)
+    for (const KernelArray& p : kernel_.parameters)
       if (is_used(p.name)) part.parameters.push_back(p);
-    for (const Handed& h : handed)
-      if (widths_handed.count(h.array.width) > 0) part.parameters.push_back(h.array);
+    for (const LiveValues& values : live)
+      if (live_widths.count(values.array.width) > 0) part.parameters.push_back(values.array);
     std::copy_if(kernel_.functions.begin(), kernel_.functions.end(), std::back_inserter(part.functions), is_used);
     for (const int width : kernel_.widths) {
       const auto says_width = [&](const Line& line) {
@@ -253,7 +253,18 @@ class KernelSplitter {
 
 }  // namespace
 
-Parts in_parts(const Kernel& kernel, std::size_t longest, const Dialect& dialect) {
+bool is_long(const Kernel& kernel, const Dialect& dialect) {
+  const KernelLengths& lengths = dialect.lengths;
+  return kernel.lines.size() > (kernel.widths.empty() ? lengths.longest : lengths.longest_in_lanes);
+}
+
+SplitKernel split_kernel(const Kernel& kernel, const Dialect& dialect) {
+  const KernelLengths& lengths = dialect.lengths;
+  const bool is_short = !kernel.widths.empty() || kernel.lines.size() > lengths.cached;
+  return split_kernel(kernel, is_short ? lengths.short_part : lengths.part, dialect);
+}
+
+SplitKernel split_kernel(const Kernel& kernel, std::size_t longest, const Dialect& dialect) {
   return KernelSplitter(kernel, longest, dialect).run();
 }
 

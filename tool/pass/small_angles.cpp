@@ -1,14 +1,15 @@
-#include "backend/cpp/small_angles.h"
+#include "pass/small_angles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <vector>
 
 #include "support/index.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::pass {
 namespace {
 
 using symbolic::Op;
@@ -18,10 +19,10 @@ using symbolic::Statement;
 
 // The largest angle that robcogen::are_small accepts, and the largest that the polynomials are made for (rad), in
 // double and in float.
-struct Range {
+struct AngleRange {
   double small, largest;
 };
-constexpr Range kRanges[] = {{3e4, 1e5}, {120, 400}};
+constexpr AngleRange kRanges[] = {{3e4, 1e5}, {120, 400}};
 
 // The largest magnitude of each statement, for positions of magnitude up to `small`.
 std::vector<double> largest_values(const Program& p, double small) {
@@ -46,29 +47,20 @@ std::vector<double> largest_values(const Program& p, double small) {
   return result;
 }
 
-bool is_angle_in_lanes(const Line& line) {
-  return line.kind == Line::Kind::sincos && line.width > 1;
+bool is_angle_function_in_lanes(const Statement& s) {
+  return (s.op == Op::sine || s.op == Op::cosine) && s.width > 1;
 }
 
 }  // namespace
 
-bool has_small_angles(const Program& program, const Kernel& kernel) {
-  const auto is_block = [](const Line& line) { return line.kind == Line::Kind::sincos_of && line.width > 1; };
-  if (std::none_of(kernel.lines.begin(), kernel.lines.end(), is_angle_in_lanes) ||
-      std::any_of(kernel.lines.begin(), kernel.lines.end(), is_block))
-    return false;
-  return std::all_of(std::begin(kRanges), std::end(kRanges), [&](const Range& range) {
+bool has_small_angles(const Program& program) {
+  if (std::none_of(program.statements.begin(), program.statements.end(), is_angle_function_in_lanes)) return false;
+  return std::all_of(std::begin(kRanges), std::end(kRanges), [&](const AngleRange& range) {
     const std::vector<double> largest = largest_values(program, range.small);
     return std::all_of(program.statements.begin(), program.statements.end(), [&](const Statement& s) {
-      const bool is_angle_function = s.op == Op::sine || s.op == Op::cosine;
-      return !is_angle_function || s.width == 1 || largest[at(s.a.index)] <= range.largest;
+      return !is_angle_function_in_lanes(s) || largest[at(s.a.index)] <= range.largest;
     });
   });
 }
 
-Kernel of_small_angles(Kernel kernel) {
-  for (Line& line : kernel.lines) line.is_small = is_angle_in_lanes(line);
-  return kernel;
-}
-
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::pass

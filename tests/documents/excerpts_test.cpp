@@ -1,0 +1,64 @@
+// A block of C++ in a guide of the generator that begins with the path of a file is part of this file: of the project,
+// or of those that the generator prints for the robot hyl.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+
+#include "markdown.h"
+
+namespace robcogen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The folder with the generated code of hyl.
+const fs::path& generated() {
+  static const fs::path folder = [] {
+    const fs::path made = scratch("excerpts");
+    int status = 0;
+    const std::string output = output_of(
+        "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + made.string() +
+            "'",
+        status);
+    EXPECT_EQ(status, 0) << output;
+    return made;
+  }();
+  return folder;
+}
+
+// Returns what is wrong with a block; empty if it is right, or does not begin with a path.
+std::string fault(const std::string& block) {
+  static const std::regex head(R"(^// ((tool|tests|hyl)/\S+)\n)");
+  std::smatch found;
+  if (!std::regex_search(block, found, head)) return "";
+  const fs::path file = (found[2] == "hyl" ? generated() : source_folder()) / found[1].str();
+  if (!fs::exists(file)) return "no such file";
+  return read_text(file).find(found.suffix().str()) == std::string::npos ? "not in the file" : "";
+}
+
+TEST(Excerpts, AreInTheirFiles) {
+  const std::regex fence("```cpp\n([^`]*)```");
+  int count = 0;
+  for (const char* guide : {"tool/README.md", "tool/backend/README.md"}) {
+    const std::string text = read_text(source_folder() / guide);
+    for (std::sregex_iterator at(text.begin(), text.end(), fence), end; at != end; ++at) {
+      const std::string block = (*at)[1];
+      if (block.starts_with("// ")) ++count;
+      EXPECT_EQ(fault(block), "") << guide << ":\n" << block;
+    }
+  }
+  EXPECT_GE(count, 6);
+  fs::remove_all(generated());
+}
+
+TEST(Excerpts, FaultsAreFound) {
+  EXPECT_EQ(fault("// tool/pass/kernel_form.h\n#pragma once\n"), "");
+  EXPECT_EQ(fault("// tool/pass/kernel_form.h\n#pragma twice\n"), "not in the file");
+  EXPECT_EQ(fault("// tool/pass/nothing.h\n"), "no such file");
+  EXPECT_EQ(fault("int x;\n"), "");
+}
+
+}  // namespace
+}  // namespace robcogen::test

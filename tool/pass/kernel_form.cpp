@@ -1,0 +1,74 @@
+#include "pass/kernel_form.h"
+
+#include <cstddef>
+
+#include "pass/small_angles.h"
+#include "symbolic/count.h"
+
+namespace robcogen::pass {
+namespace {
+
+using symbolic::Function;
+using symbolic::KernelForm;
+using symbolic::OperationCount;
+using symbolic::Program;
+using symbolic::Role;
+
+// The largest number of instructions of a core that is also compiled into its caller, because the cost of the call is
+// measurable there. All other cores are compiled once.
+constexpr int kSmallCore = 64;
+
+// The number of lanes of a vector. A robot has dozens of kernels of the kinematics. One that reads more sines than fit
+// in a vector calls functions for its sines and for its core, however short the core is: compiling it then takes half
+// the time, and the calls take little of the time of the sines.
+constexpr std::size_t kInVector = 4;
+
+// The largest number of instructions of a kernel in lanes that computes its own sines. Passing them to a core, from an
+// array into lanes, would take about fifty more. All other kernels call a core in lanes, which is written and compiled
+// once.
+constexpr int kSmallInLanes = 512;
+
+// The number of products that must be fused into sums for a gain by a processor level, if there are neither sines nor
+// lanes.
+constexpr int kFewestFused = 24;
+
+// The most results of a function that is computed for as many states at once as a vector has lanes. For eight states in
+// double precision, these take 256 KB; more would outgrow the stacks of threads.
+constexpr int kMaxElements = 4'000;
+
+// A higher level computes the sines of four angles at once, holds four limbs in a register, and fuses products into
+// sums.
+bool gains_by_level(const Function& f) {
+  if (f.solved || f.in_lanes) return true;
+  const OperationCount count = symbolic::count(f.program);
+  return count.sincos > 1 || count.mul + count.add - count.instructions >= kFewestFused;
+}
+
+// Symmetric matrices are written in place.
+bool takes_single_states(const Program& program) {
+  int elements = 0;
+  for (const symbolic::OutputArray& output : program.outputs) elements += output.rows * output.columns;
+  const bool is_symmetric = program.outputs.size() == 1 && program.outputs.front().role == Role::inertia_matrix;
+  return elements > kMaxElements && !is_symmetric;
+}
+
+}  // namespace
+
+KernelForm kernel_form(const Function& f, const GroupTraits& group) {
+  const auto is_small = [](const Program& program, int limit) {
+    return symbolic::count(program).instructions <= limit;
+  };
+  KernelForm form;
+  form.calls_sines = group.is_kinematics && f.parts && f.parts->read.size() > kInVector;
+  if (f.parts && !form.calls_sines) {
+    form.inlines_core = is_small(f.parts->core, kSmallCore);
+    form.inlines_core_in_lanes = f.parts->core_in_lanes && is_small(*f.parts->core_in_lanes, kSmallCore);
+  }
+  form.has_own_lanes = f.in_lanes && (!f.parts || is_small(*f.in_lanes, kSmallInLanes));
+  form.has_small_angles = form.has_own_lanes && has_small_angles(*f.in_lanes);
+  form.gains_by_level = (group.is_default || !group.is_kinematics) && gains_by_level(f);
+  form.takes_single_states = takes_single_states(f.program);
+  return form;
+}
+
+}  // namespace robcogen::pass
