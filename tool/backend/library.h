@@ -12,7 +12,7 @@
 #include "support/files.h"
 #include "symbolic/accuracy.h"
 #include "symbolic/angle_parts.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/derivative.h"
 #include "symbolic/program.h"
 #include "symbolic/solved_columns.h"

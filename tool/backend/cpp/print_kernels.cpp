@@ -9,7 +9,7 @@
 #include "backend/cpp/small_angles.h"
 #include "backend/cpp/solve_columns.h"
 #include "support/parallel.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kInLanes = "in_lanes";
 constexpr const char* kOneByOne = "one_by_one";
 
-std::string counts(const symbolic::OperationCount& c) {
+std::string counts(const symbolic::Cost& c) {
   std::string result = std::to_string(c.mul) + " mul, " + std::to_string(c.add) + " add";
   const auto append = [&](int count, const char* what) {
     if (count) result += ", " + std::to_string(count) + " " + what;
@@ -33,7 +33,7 @@ std::string counts(const symbolic::OperationCount& c) {
 }
 
 std::string counts(const symbolic::Program& program) {
-  return counts(symbolic::count(program));
+  return counts(symbolic::cost(program));
 }
 
 }  // namespace
@@ -180,7 +180,7 @@ std::string print_core(const Callable& callable) {
   const auto& [core, in_lanes, read, angles] = *callable.function->parts;
   const auto print = [&](const std::string& remarks, const symbolic::Program& program) {
     const Kernel kernel = lower(program, callable.kernel);
-    const symbolic::OperationCount count = symbolic::count(program);
+    const symbolic::Cost count = symbolic::cost(program);
     const std::string comments = remarks + comment(counts(count));
     if (count.instructions > kSmallCore || calls_parts(callable)) return print_whole_or_parts(comments, kernel);
     return comments + definition(kernel, kInline);
@@ -223,7 +223,7 @@ std::string sines_and_cosines(
 constexpr int kSmallInLanes = 512;
 
 bool has_own_lanes(const Function& function) {
-  return function.in_lanes && (!function.parts || symbolic::count(*function.in_lanes).instructions <= kSmallInLanes);
+  return function.in_lanes && (!function.parts || symbolic::cost(*function.in_lanes).instructions <= kSmallInLanes);
 }
 
 // A kernel that computes sines and cosines and calls its core.
@@ -233,7 +233,7 @@ std::string print_caller(const Library& library, const Callable& callable) {
                      comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !has_own_lanes(*callable.function);
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
-  if (const int sums = symbolic::count(parts.angles).add; sums > 0)
+  if (const int sums = symbolic::cost(parts.angles).add; sums > 0)
     text += comment("Additions for sums of angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);

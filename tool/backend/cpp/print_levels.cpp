@@ -18,7 +18,7 @@ constexpr int kFewestFused = 24;
 // register, and fuses products into sums.
 bool gains(const CompiledKernel& kernel) {
   if (kernel.callable == nullptr) return true;  // sines and cosines of all joints
-  const symbolic::OperationCount& count = kernel.callable->count;
+  const symbolic::Cost& count = kernel.callable->count;
   return kernel.callable->function->solved || count.sincos > 1 || kernel.callable->function->in_lanes ||
          count.mul + count.add - count.instructions >= kFewestFused;
 }
