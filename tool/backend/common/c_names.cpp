@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <functional>
+#include <set>
 #include <string_view>
-#include <unordered_set>
+#include <vector>
 
 namespace robcogen::backend::c_family {
 namespace {
@@ -27,59 +29,93 @@ constexpr auto kKeywords = std::to_array<std::string_view>({
     "xor",         "xor_eq",
 });
 
-// Macros of system headers and of compilers, and the types and variables of headers that a local name would shadow.
-// Names with a leading underscore need no entry, because no generated identifier has one.
-constexpr std::string_view kSystemNames[] = {
+// Macros of system headers, of compilers and of platforms, and the types and variables of headers that a local name
+// would shadow. Names with a leading underscore need no entry, because no generated identifier has one.
+constexpr std::string_view kMacros[] = {
 #include "backend/common/macros.inc"
 };
 
-// Macros of other versions of these headers, and of other processors.
-constexpr auto kOtherMacros = std::to_array<std::string_view>(
-    {"DOMAIN", "FP_FAST_FMA", "HUGE", "NDEBUG", "OVERFLOW", "PLOSS", "SING", "TLOSS", "UNDERFLOW", "X_TLOSS", "i386",
-     "imaginary", "sparc"});
+constexpr std::string_view kGlobals[] = {
+#include "backend/common/globals.inc"
+};
 
-// Macros of Windows, macOS, X11, Qt and Arduino.
-constexpr auto kPlatformMacros = std::to_array<std::string_view>({
-    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
-    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
-    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",   "far",        "foreach", "interface", "max",
-    "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
-});
+// Most words differ in length from all words of the set that begin and end with the same characters.
+class Words {
+ public:
+  void add(std::string_view word) {
+    words_.emplace(word);
+    lengths_[ends(word)] |= length_bit(word);
+  }
+  bool contains(std::string_view word) const {
+    return !word.empty() && (lengths_[ends(word)] & length_bit(word)) != 0 && words_.contains(word);
+  }
 
-// Never iterated, so that it decides no order.
-const std::unordered_set<std::string_view>& reserved() {
-  static const std::unordered_set<std::string_view> names = [] {
-    std::unordered_set<std::string_view> all(kKeywords.begin(), kKeywords.end());
-    all.insert(std::begin(kSystemNames), std::end(kSystemNames));
-    all.insert(kOtherMacros.begin(), kOtherMacros.end());
-    all.insert(kPlatformMacros.begin(), kPlatformMacros.end());
-    return all;
-  }();
-  return names;
-}
+ private:
+  // A number for the pair of a word's first and last characters, and how many such numbers there are.
+  static constexpr std::size_t kEnds = 32 * 32;
+  static std::size_t ends(std::string_view word) {
+    const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
+    return 32 * number(word.front()) + number(word.back());
+  }
+  // The bit for the word's length. All longer words share the last bit.
+  static std::uint64_t length_bit(std::string_view word) {
+    return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
+  }
 
-// A number for the pair of a word's first and last characters, and how many such numbers there are.
-constexpr std::size_t kEnds = 32 * 32;
-std::size_t ends(std::string_view word) {
-  const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
-  return 32 * number(word.front()) + number(word.back());
-}
+  std::set<std::string, std::less<>> words_;
+  std::array<std::uint64_t, kEnds> lengths_{};  // one bit per length
+};
 
-// The bit for the word's length. All longer words share the last bit.
-std::uint64_t length_bit(std::string_view word) {
-  return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
-}
+// Names, and patterns of names: `AF_*`, `*_t`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
+class NameSet {
+ public:
+  template <class List>
+  explicit NameSet(const List& list) {
+    for (const std::string_view entry : list) add(entry);
+  }
+
+  void add(std::string_view entry) {
+    const std::string_view head = entry.substr(0, entry.size() - 1);
+    if (entry.front() == '*')
+      suffixes_.push_back(entry.substr(1));
+    else if (entry.ends_with("_*"))
+      families_.add(head);
+    else if (entry.back() == '*')
+      prefixes_.push_back(head);
+    else if (entry.back() == '~')
+      for (const char* type : {"", "f", "l", "f16", "f32", "f64", "f128", "f32x", "f64x"})
+        names_.add(std::string(head) + type);
+    else
+      names_.add(entry);
+  }
+
+  bool contains(std::string_view name) const {
+    const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
+    const auto ends = [&](std::string_view suffix) { return name.ends_with(suffix); };
+    return names_.contains(name) || families_.contains(name.substr(0, name.find('_') + 1)) ||
+           std::any_of(prefixes_.begin(), prefixes_.end(), starts) ||
+           std::any_of(suffixes_.begin(), suffixes_.end(), ends);
+  }
+
+ private:
+  Words names_, families_;
+  std::vector<std::string_view> prefixes_, suffixes_;
+};
 
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  // Most names differ in length from all reserved names that begin and end with the same characters.
-  static const auto lengths = [] {
-    std::array<std::uint64_t, kEnds> result{};  // one bit per length
-    for (const std::string_view word : reserved()) result[ends(word)] |= length_bit(word);
-    return result;
+  static const NameSet reserved = [] {
+    NameSet all(kMacros);
+    for (const std::string_view word : kKeywords) all.add(word);
+    return all;
   }();
-  return !name.empty() && (lengths[ends(name)] & length_bit(name)) != 0 && reserved().contains(name);
+  return reserved.contains(name);
+}
+
+bool is_global(const std::string& name) {
+  static const NameSet globals(kGlobals);
+  return globals.contains(name);
 }
 
 }  // namespace robcogen::backend::c_family
