@@ -1,6 +1,7 @@
 #include "symbolic/cost.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 #include <span>
@@ -15,47 +16,49 @@
 namespace robcogen::symbolic {
 namespace {
 
-void count_operation(Cost& c, Op op) {
-  switch (op) {
-    case Op::add:
-    case Op::subtract:
-      ++c.add;
-      break;
-    case Op::multiply:
-      ++c.mul;
-      break;
-    case Op::divide:
-      ++c.div;
-      break;
-    case Op::square_root:
-      ++c.sqrt;
-      break;
-    case Op::arc_tangent:
-      ++c.sincos;
-      break;
-    case Op::sine:
-    case Op::cosine:
-    case Op::gather:
-    case Op::sum_lanes:
-      break;
-  }
-}
+// How often each operation occurs.
+class Operations {
+ public:
+  void add(Op op) { ++counts_[static_cast<std::size_t>(op)]; }
 
-// The number of products that are fused into sums. `for_each_use(note)` calls note(product, user) for each use of a
-// product, in the order of the users; -1 stands for a user that cannot be fused with it.
-template <class ForEachUse>
-int fused(std::size_t size, const ForEachUse& for_each_use) {
+  // All but sines and cosines, moves and critical path. `fused`: the number of products that are fused into sums.
+  Cost cost(int fused) const {
+    Cost c;
+    c.add = of(Op::add) + of(Op::subtract);
+    c.mul = of(Op::multiply);
+    c.div = of(Op::divide);
+    c.sqrt = of(Op::square_root);
+    c.sincos = of(Op::arc_tangent);
+    c.instructions = c.mul + c.add - fused;
+    return c;
+  }
+
+ private:
+  std::array<int, static_cast<std::size_t>(Op::sum_lanes) + 1> counts_{};
+
+  int of(Op op) const { return counts_[static_cast<std::size_t>(op)]; }
+};
+
+// A use of a product; -1 stands for a user that cannot be fused with it.
+struct Use {
+  int product = 0;
+  int user = -1;
+};
+
+// The number of products that are fused into sums.
+int fused(std::size_t size, const std::vector<Use>& uses) {
   std::vector<int> first(size + 1, 0);
-  for_each_use([&](int product, int) { ++first[at(product) + 1]; });
+  for (const Use& use : uses) ++first[at(use.product) + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> users(at(first.back())), next = first;
-  for_each_use([&](int product, int user) { users[at(next[at(product)]++)] = user; });
+  std::vector<int> users(uses.size()), next = first;
+  for (const Use& use : uses) users[at(next[at(use.product)]++)] = use.user;
   std::vector<std::span<const int>> products;
   for (std::size_t i = 0; i < size; ++i) {
+    if (first[i] == first[i + 1]) continue;
     const std::span<const int> own = std::span(users).subspan(at(first[i]), at(first[i + 1] - first[i]));
-    if (!own.empty() && std::find(own.begin(), own.end(), -1) == own.end()) products.push_back(own);
+    if (std::find(own.begin(), own.end(), -1) == own.end()) products.push_back(own);
   }
-  return fused_products(std::move(products), size);
+  return fused_products(products, size);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -71,18 +74,18 @@ class CostOfProgram {
 
   // All but moves and critical path.
   Cost operations() const {
-    Cost c;
+    Operations counted;
     std::set<std::tuple<int, int, int>> angles;  // kinds, indices and lanes of arguments
     for_each_statement([&](std::size_t, const Statement& s) {
-      count_operation(c, s.op);
+      counted.add(s.op);
       if (s.op == Op::sine || s.op == Op::cosine) angles.emplace(static_cast<int>(s.a.kind), s.a.index, s.a.lane);
     });
+    Cost c = counted.cost(fused(p_.statements.size(), uses_of_products()));
     // The sine of a single lane costs nothing if the sines of all lanes are computed.
     c.sincos += static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
       const auto& [kind, index, lane] = angle;
       return lane < 0 || angles.count({kind, index, -1}) == 0;
     }));
-    c.instructions = c.mul + c.add - fused(p_.statements.size(), [&](const auto& note) { for_each_use(note); });
     return c;
   }
 
@@ -128,16 +131,17 @@ class CostOfProgram {
     return product.lane < 0 && sum.width == p_.statements[at(product.index)].width;
   }
 
-  template <class Note>
-  void for_each_use(const Note& note) const {
+  std::vector<Use> uses_of_products() const {
+    std::vector<Use> uses;
     for_each_statement([&](std::size_t i, const Statement& s) {
       for_each_operand(s, [&](const Operand& o) {
-        if (is_product(o)) note(o.index, is_sum(s.op) && is_fusable(s, o) ? static_cast<int>(i) : -1);
+        if (is_product(o)) uses.push_back({o.index, is_sum(s.op) && is_fusable(s, o) ? static_cast<int>(i) : -1});
       });
     });
     for (const OutputArray& array : p_.outputs)
       for (const Operand& o : array.values)
-        if (is_product(o)) note(o.index, -1);
+        if (is_product(o)) uses.push_back({o.index, -1});
+    return uses;
   }
 };
 
@@ -210,49 +214,44 @@ int work(const Program& program) {
 TracedCost traced_cost(const Graph& graph, const std::vector<std::vector<Expression>>& outputs) {
   const std::vector<Node>& nodes = graph.nodes();
   std::vector<char> needed(nodes.size(), false);
+  std::vector<Use> uses;
+  const auto note = [&](int node, int user) {
+    needed[at(node)] = true;
+    if (!is_product(nodes[at(node)])) return;
+    const Use use = {node, user};
+    uses.push_back(use);
+  };
   for (const std::vector<Expression>& values : outputs)
-    for (const Expression& e : values) needed[at(e.node())] = true;
+    for (const Expression& e : values) note(e.node(), -1);
   TracedCost result;
-  Cost c;
+  Operations counted;
   for (std::size_t i = nodes.size(); i-- > 0;) {
-    const Node& n = nodes[i];
     if (!needed[i]) continue;
+    const Node& n = nodes[i];
     if (n.kind == Node::Kind::constant)
       result.largest_constant = std::max(result.largest_constant, graph.constant_of(n).value());
     if (n.kind != Node::Kind::operation) continue;
     ++result.statements;
-    count_operation(c, n.op);
-    needed[at(n.a)] = true;
-    if (n.b >= 0) needed[at(n.b)] = true;
+    counted.add(n.op);
+    const int user = is_sum(n.op) ? static_cast<int>(i) : -1;
+    note(n.a, user);
+    if (n.b >= 0) note(n.b, user);
   }
-  c.instructions = c.mul + c.add - fused(nodes.size(), [&](const auto& note) {
-                     for (std::size_t i = 0; i < nodes.size(); ++i) {
-                       const Node& n = nodes[i];
-                       if (!needed[i] || n.kind != Node::Kind::operation) continue;
-                       const int user = is_sum(n.op) ? static_cast<int>(i) : -1;
-                       for (const int operand : {n.a, n.b})
-                         if (operand >= 0 && is_product(nodes[at(operand)])) note(operand, user);
-                     }
-                     for (const std::vector<Expression>& values : outputs)
-                       for (const Expression& e : values)
-                         if (is_product(nodes[at(e.node())])) note(e.node(), -1);
-                   });
-  result.work = weighted(c, kWork);
+  result.work = weighted(counted.cost(fused(nodes.size(), uses)), kWork);
   return result;
 }
 
 int work_since(const Graph& graph, std::size_t mark) {
   const std::vector<Node>& nodes = graph.nodes();
-  Cost c;
+  Operations counted;
   int fused = 0;
   for (std::size_t i = mark; i < nodes.size(); ++i) {
     const Node& n = nodes[i];
     if (n.kind != Node::Kind::operation) continue;
-    count_operation(c, n.op);
+    counted.add(n.op);
     if (is_sum(n.op) && (is_product(nodes[at(n.a)]) || is_product(nodes[at(n.b)]))) ++fused;
   }
-  c.instructions = c.mul + c.add - fused;
-  return weighted(c, kWork);
+  return weighted(counted.cost(fused), kWork);
 }
 
 }  // namespace robcogen::symbolic

@@ -27,8 +27,7 @@ class Interpreter {
 
   // An operand in one of its lanes. A scalar is the same in all of them.
   Scalar read(const Operand& o, int lane = 0) const {
-    if (o.negative) return -magnitude(o, lane);
-    return magnitude(o, lane);
+    return with(o, lane, [](const Scalar& x) { return x; });
   }
 
   // The values of each array of outputs.
@@ -48,11 +47,13 @@ class Interpreter {
   std::vector<Scalar> computed_;    // lane by lane
   std::vector<std::size_t> first_;  // first lane of each statement
 
-  // The operand without its sign.
-  Scalar magnitude(const Operand& o, int lane) const {
-    if (!is_statement(o)) return leaf_(o);
+  // f of an operand, which is copied only if it is negated.
+  template <class F>
+  Scalar with(const Operand& o, int lane, F f) const {
+    const auto with_sign = [&](const Scalar& x) { return o.negative ? f(-x) : f(x); };
+    if (!is_statement(o)) return with_sign(leaf_(o));
     const int own = o.lane >= 0 ? o.lane : program_.statements[at(o.index)].width > 1 ? lane : 0;
-    return computed_[first_[at(o.index)] + at(own)];
+    return with_sign(computed_[first_[at(o.index)] + at(own)]);
   }
 
   void run(const Statement& s) {
@@ -69,8 +70,10 @@ class Interpreter {
 
   // The operands are read one after the other, so that every compiler creates expressions in the order of the program.
   Scalar computed(const Statement& s, int lane) const {
-    const Scalar a = read(s.a, lane);
-    return is_binary(s.op) ? apply(s.op, a, read(s.b, lane)) : apply(s.op, a, a);
+    return with(s.a, lane, [&](const Scalar& a) {
+      if (!is_binary(s.op)) return apply(s.op, a, a);
+      return with(s.b, lane, [&](const Scalar& b) { return apply(s.op, a, b); });
+    });
   }
 };
 

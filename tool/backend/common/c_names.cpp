@@ -66,7 +66,7 @@ class Words {
   std::array<std::uint64_t, kEnds> lengths_{};  // one bit per length
 };
 
-// Names, and patterns of names: `AF_*`, `*_t`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
+// Names, and patterns of names: `AF_*`, `PRIx*`, `*_t`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
 class NameSet {
  public:
   template <class List>
@@ -77,11 +77,9 @@ class NameSet {
   void add(std::string_view entry) {
     const std::string_view head = entry.substr(0, entry.size() - 1);
     if (entry.front() == '*')
-      suffixes_.push_back(entry.substr(1));
-    else if (entry.ends_with("_*"))
-      families_.add(head);
+      endings_.push_back(entry.substr(1));
     else if (entry.back() == '*')
-      prefixes_.push_back(head);
+      beginnings_[index(entry.front())].push_back(head);
     else if (entry.back() == '~')
       for (const char* type : {"", "f", "l", "f16", "f32", "f64", "f128", "f32x", "f64x"})
         names_.add(std::string(head) + type);
@@ -90,16 +88,20 @@ class NameSet {
   }
 
   bool contains(std::string_view name) const {
-    const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
-    const auto ends = [&](std::string_view suffix) { return name.ends_with(suffix); };
-    return names_.contains(name) || families_.contains(name.substr(0, name.find('_') + 1)) ||
-           std::any_of(prefixes_.begin(), prefixes_.end(), starts) ||
-           std::any_of(suffixes_.begin(), suffixes_.end(), ends);
+    if (name.empty()) return false;
+    const auto begins = [&](std::string_view beginning) { return name.starts_with(beginning); };
+    const auto ends = [&](std::string_view ending) { return name.back() == ending.back() && name.ends_with(ending); };
+    const std::vector<std::string_view>& beginnings = beginnings_[index(name.front())];
+    return names_.contains(name) || std::any_of(beginnings.begin(), beginnings.end(), begins) ||
+           std::any_of(endings_.begin(), endings_.end(), ends);
   }
 
  private:
-  Words names_, families_;
-  std::vector<std::string_view> prefixes_, suffixes_;
+  static std::size_t index(char c) { return static_cast<unsigned char>(c); }
+
+  Words names_;
+  std::array<std::vector<std::string_view>, 256> beginnings_;  // by the first character
+  std::vector<std::string_view> endings_;
 };
 
 }  // namespace
