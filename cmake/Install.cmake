@@ -48,6 +48,7 @@ install(
         cmake/RobcogenView.cmake
         cmake/RobcogenXacro.cmake
         cmake/RobcogenExpandXacro.cmake
+        tool/backend/common/keywords.inc
         tool/backend/common/macros.inc
         tool/backend/common/globals.inc
   DESTINATION ${package_dir})

@@ -88,32 +88,36 @@ function(_robcogen_check_documents keyword)
   _robcogen_check_file(DESIRED "${library_DESIRED}")
 endfunction()
 
+# Sets `result` to regular expressions of the names in a list of the generator, which in an installed package is in the
+# folder of this file: `AF_*` is a family of names, `sin~` are sin, sinf, sinl, sinf32 and so on.
+function(_robcogen_read_names list result)
+  set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${list})
+  if(NOT EXISTS ${file})
+    set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tool/backend/common/${list})
+  endif()
+  file(STRINGS ${file} lines REGEX "^\"")
+  string(REGEX MATCHALL "[A-Za-z0-9_*~]+" names "${lines}")
+  list(TRANSFORM names REPLACE "[*]" ".*")
+  list(TRANSFORM names REPLACE "~" "(f|l|f16|f32|f64|f128|f32x|f64x)?")
+  set(${result} "${names}" PARENT_SCOPE)
+endfunction()
+
 # A generated namespace must differ from the names that generated code uses.
 function(_robcogen_check_identifier keyword identifier)
-  set(reserved
-      alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl
-      concept const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default
-      delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline int long
-      mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public register
-      reinterpret_cast requires return short signed sizeof static static_assert static_cast struct switch template this
-      thread_local throw true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
-      xor_eq std Eigen robcogen)
   if(NOT identifier MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
     _robcogen_refuse("${keyword} '${identifier}' is not an identifier")
   endif()
-  if(identifier IN_LIST reserved)
+  _robcogen_read_names(keywords.inc reserved)
+  if(identifier IN_LIST reserved OR identifier MATCHES "^(std|Eigen|robcogen)$")
     _robcogen_refuse("${keyword} '${identifier}' is a reserved word of the generated code")
   endif()
-  # The generator's lists of these names; in an installed package they are in the folder of this file.
   foreach(list macros.inc globals.inc)
-    set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${list})
-    if(NOT EXISTS ${file})
-      set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tool/backend/common/${list})
-    endif()
-    file(STRINGS ${file} lines REGEX "\"${identifier}\",")
-    if(lines)
-      _robcogen_refuse("${keyword} '${identifier}' is a macro or a function of system headers: give another ${keyword}")
-    endif()
+    _robcogen_read_names(${list} names)
+    foreach(name IN LISTS names)
+      if(identifier MATCHES "^${name}$")
+        _robcogen_refuse("${keyword} '${identifier}' is a macro or a function of system headers: give another ${keyword}")
+      endif()
+    endforeach()
   endforeach()
 endfunction()
 

@@ -88,20 +88,14 @@ function(check_straight_lines)
   foreach(file IN LISTS files)
     file(READ ${file} text)
     string(REGEX REPLACE "//[^\n]*|\"[^\"\n]*\"" "" text "${text}")
-    # Limbs in lanes or one by one: the compiler decides by the scalar type.
-    string(REGEX REPLACE "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)]([^}]*)} else" "\\1}" text "${text}")
-    # Columns of limbs in lanes or one by one: likewise. The lines of the chosen code are indented further.
-    string(REGEX REPLACE
-      "if constexpr [(]robcogen::kFillsLanes<Scalar, [0-9]+>[)] {((\n   [^\n]*)+)\n  } else {" "{\\1\n  } {" text "${text}")
-    # The loop in C over the columns that a function solves for, and over the rows of one.
-    string(REGEX REPLACE "\n  for [(]; count > 0; --count[)] {" "\n  {" text "${text}")
-    string(REGEX REPLACE "\n    for [(]int row = 0; row < [0-9]+; [+][+]row[)] b" "\n    b" text "${text}")
+    # The compiler decides by the scalar type whether limbs are computed in lanes, and columns are filled in lanes.
+    string(REGEX REPLACE "if constexpr [(]robcogen::(kPrefersLanes<Scalar>|kFillsLanes<Scalar, [0-9]+>)[)]" "" text "${text}")
     # A kernel in lanes first tests whether angles are small.
-    string(REGEX REPLACE
-      "if constexpr [(]robcogen::kPrefersLanes<Scalar>[)] {[ \n]*if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)] {([^}]*)}"
-      "{\\1" text "${text}")
+    string(REGEX REPLACE "if [(]robcogen::are_small<[0-9]+>[(][A-Za-z0-9_]+[)][)]" "" text "${text}")
+    # The loops in C over the columns that a function solves for, and over the rows of one, run a fixed number of times.
+    string(REGEX REPLACE "for [(](; count > 0; --count|int row = 0; row < [0-9]+; [+][+]row)[)]" "" text "${text}")
     set(between "[^A-Za-z0-9_]")
-    if(text MATCHES "${between}(if|else|for|while|do|switch|goto|throw|try|new|delete)${between}|[?]|&&|[|][|]")
+    if(text MATCHES "${between}(if|for|while|do|switch|goto|throw|try|new|delete)${between}|[?]|&&|[|][|]")
       message(FATAL_ERROR "${file} is not straight-line code: ${CMAKE_MATCH_0}")
     endif()
   endforeach()

@@ -13,7 +13,7 @@
 #include "plinth/plinth.h"
 #include "plinth/reflection.h"
 #include "samples.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::test {
 namespace {
@@ -177,7 +177,7 @@ TEST(Reflection, FunctionsCarryTheirOperationCounts) {
   ASSERT_EQ(static_cast<std::size_t>(r.functions.size), library.functions.size());
   for (int k = 0; k < r.functions.size; ++k) {
     const backend::Function& f = library.functions[static_cast<std::size_t>(k)];
-    const symbolic::OperationCount expected = symbolic::count(f.program);
+    const symbolic::Cost expected = symbolic::cost(f.program);
     EXPECT_EQ(r.functions[k].name, f.kernel);
     EXPECT_EQ(r.functions[k].count.mul, expected.mul);
     EXPECT_EQ(r.functions[k].count.add, expected.add);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/driver.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -24,7 +24,7 @@ std::map<std::string, int> costs(const std::string& robot, const std::vector<std
   if (!model) throw std::runtime_error(diagnostics.render());
   std::map<std::string, int> result;
   for (const driver::Function& f : driver::programs(*model, {"contacts"}, {}).list) {
-    const symbolic::OperationCount count = symbolic::count(f.traced.program);
+    const symbolic::Cost count = symbolic::cost(f.traced.program);
     result.insert({f.traced.program.name, count.mul + count.add});
   }
   return result;

@@ -13,7 +13,7 @@
 #include "pass/passes.h"
 #include "pass/split_angles.h"
 #include "symbolic/blocks.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 #include "volume.h"
@@ -220,8 +220,8 @@ void expect_same_of_given_sines(const KinematicTree& tree, const Program& progra
   const Program& core = *split.parts[0]->core_in_lanes;
   ASSERT_EQ(symbolic::verify(core), "") << program.name;
   // A joint that follows another one by a factor has a sine of its own.
-  const bool has_others = symbolic::count(split.parts[0]->core).sincos > 0;
-  EXPECT_EQ(symbolic::count(core).sincos > 0, has_others) << program.name;
+  const bool has_others = symbolic::cost(split.parts[0]->core).sincos > 0;
+  EXPECT_EQ(symbolic::cost(core).sincos > 0, has_others) << program.name;
   EXPECT_TRUE(!has_others || !tree.couplings.empty()) << program.name;
   symbolic::Arrays<double> inputs = random_inputs(program, 2);
   const auto expected = symbolic::interpret<double>(packed, inputs);
@@ -339,7 +339,7 @@ TEST(Lanes, OfAHandThatIsTurnedByARoundingTakeLittleMore) {
     if (congruent) congruent = pass::run(std::move(*congruent), pass::names());
     const Program packed = pass::pack_lanes(program, classes_of(tree, program), congruent).program;
     EXPECT_EQ(difference(program, packed, 1), "");
-    return symbolic::count(packed).instructions;
+    return symbolic::cost(packed).instructions;
   };
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
     const int wanted = instructions(exact, group), found = instructions(rounded, group);
@@ -361,7 +361,7 @@ TEST(Lanes, OfCoupledLegsTakeHalfTheInstructions) {
     for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
       const Program program = pass::run(f.program, pass::names());
       const Program packed = pass::packed(program, classes_of(tree, program));
-      const int before = symbolic::count(program).instructions, after = symbolic::count(packed).instructions;
+      const int before = symbolic::cost(program).instructions, after = symbolic::cost(packed).instructions;
       std::printf("%s: %d instructions, %d in lanes\n", f.program.name.c_str(), before, after);
       EXPECT_LT(after, 0.5 * before) << f.program.name;
     }
@@ -408,7 +408,7 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
     for (std::size_t i = 0; i < others.size(); ++i) {
       ASSERT_TRUE(congruent[i]);
       const auto count = [](const KinematicTree& tree, const Program& program) {
-        return symbolic::count(pass::packed(program, classes_of(tree, program)));
+        return symbolic::cost(pass::packed(program, classes_of(tree, program)));
       };
       const auto found = count(with_zeros, pass::with_plain_numbers(*congruent[i])),
                  wanted = count(without, others[i].program);

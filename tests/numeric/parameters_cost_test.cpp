@@ -10,7 +10,7 @@
 #include "import/parts.h"
 #include "pass/passes.h"
 #include "pass/split_parameters.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -66,8 +66,8 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
     }
     const pass::SplitPrograms split = pass::split_parameters(programs, interfaces);
     for (std::size_t k = 0; k < programs.size(); ++k) {
-      const int parametric_cost = symbolic::count(pass::run(split.programs[k])).instructions;
-      const int constant_cost = symbolic::count(pass::run(constants[k])).instructions;
+      const int parametric_cost = symbolic::cost(pass::run(split.programs[k])).instructions;
+      const int constant_cost = symbolic::cost(pass::run(constants[k])).instructions;
       const std::string& function = programs[k].name;
       const auto names = [&](const char* word) { return function.find(word) != std::string::npos; };
       const bool is_main = (names("dynamics") && !names("second_derivatives")) || function == "joint_space_inertia";

@@ -4,7 +4,7 @@
 #include "interpreted_robot.h"
 #include "pass/split_parameters.h"
 #include "random_robot.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 #include "volume.h"
@@ -200,7 +200,7 @@ TEST(Parameters, SplitOffChangeNoResult) {
         const symbolic::Arrays<double> expected = symbolic::interpret<double>(programs[k], inputs);
         if (parameters != inputs.end()) parameters->second = cache;
         // Where the mass properties are not physical, the factor of the inertia matrix has roots of negative numbers.
-        const bool has_roots = symbolic::count(programs[k]).sqrt > 0;
+        const bool has_roots = symbolic::cost(programs[k]).sqrt > 0;
         for (const auto& [name, found] : symbolic::interpret<double>(split.programs[k], inputs)) {
           // Inputs are of order one, so a much smaller value is a rounded zero.
           double scale = 1e-4;

@@ -8,7 +8,7 @@
 #include "pass/passes.h"
 #include "random_robot.h"
 #include "support/index.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::numeric {
 namespace {
@@ -45,7 +45,7 @@ int operations(const KinematicTree& robot) {
   const std::string name = robot.floating_base ? "inverse_dynamics_fully_actuated" : "inverse_dynamics";
   for (algorithm::RobotFunction& f : algorithm::functions(robot, {}, "inverse_dynamics")) {
     if (f.name != name) continue;
-    const symbolic::OperationCount n = symbolic::count(pass::run(std::move(f.program), pass::names()));
+    const symbolic::Cost n = symbolic::cost(pass::run(std::move(f.program), pass::names()));
     return n.mul + n.add + n.div;
   }
   throw std::logic_error("no inverse dynamics");

@@ -13,7 +13,7 @@
 #include "backend/cpp/lower.h"
 #include "interpreted_robot.h"
 #include "random_robot.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 #include "volume.h"
@@ -161,7 +161,7 @@ TEST(Text, OfKernelsComputesAndCountsAsTheProgram) {
           ASSERT_EQ(found->second, values[k]) << array << " " << k;
         }
       }
-      const symbolic::OperationCount reported = symbolic::count(program), &found = evaluator.count();
+      const symbolic::Cost reported = symbolic::cost(program), &found = evaluator.count();
       EXPECT_EQ(found.mul, reported.mul);
       EXPECT_EQ(found.add, reported.add);
       EXPECT_EQ(found.div, reported.div);

@@ -9,7 +9,7 @@
 #include "model/coordinate_transforms.h"
 #include "model/elements.h"
 #include "support/files.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/function.h"
 #include "symbolic/program.h"
 

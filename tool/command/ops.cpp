@@ -6,14 +6,14 @@
 #include "command/output.h"
 #include "command/output_files.h"
 #include "command/subcommands.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::command {
 namespace {
 
 struct Row {
   std::string name;
-  symbolic::OperationCount count;
+  symbolic::Cost count;
   std::string method;
   std::optional<symbolic::RoundingError> error;
 };
@@ -23,7 +23,7 @@ std::vector<Row> rows(const Programs& programs) {
   std::vector<Row> result;
   std::set<std::string> seen;
   for (const NamedProgram& f : programs.list)
-    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::count(f.program), f.method, f.error});
+    if (seen.insert(f.name).second) result.push_back({f.name, symbolic::cost(f.program), f.method, f.error});
   return result;
 }
 

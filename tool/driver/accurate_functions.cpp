@@ -7,7 +7,7 @@
 #include "pass/passes.h"
 #include "support/lazy.h"
 #include "support/parallel.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::driver {
 namespace {

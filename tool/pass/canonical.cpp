@@ -4,7 +4,8 @@
 namespace robcogen::pass {
 
 symbolic::Program canonical(symbolic::Program program) {
-  symbolic::Rebuild rebuild(program);
+  symbolic::Graph graph;
+  symbolic::Rebuild rebuild(graph, program);
   rebuild.keep_all();
   return rebuild.finish();
 }

@@ -15,19 +15,19 @@ using symbolic::Role;
 
 class ParameterGatherer {
  public:
-  explicit ParameterGatherer(const Program& program) : program_(program), rebuild_(program) {
+  explicit ParameterGatherer(const Program& program) : program_(program), rebuild_(graph_, program) {
     for (const symbolic::InputArray& array : program.inputs)
       is_parameter_.insert(is_parameter_.end(), array.elements.size(), array.role == Role::parameters);
   }
 
   Program run() {
     for (std::size_t i = 0; i < program_.statements.size(); ++i) {
-      rebuild_.enter_section_of(i);
       const symbolic::Statement& s = program_.statements[i];
-      if (s.op != Op::add && s.op != Op::subtract && s.op != Op::multiply) {
-        rebuild_.set(i, rebuild_.compute(i));
+      if (!is_sum(s.op) && s.op != Op::multiply) {
+        rebuild_.keep(i);
         continue;
       }
+      rebuild_.enter_section_of(i);
       const Expression a = rebuild_.read(s.a), b = rebuild_.read(s.b);
       rebuild_.set(i, s.op == Op::multiply ? multiply(a, b) : add(a, s.op == Op::add ? b : -b));
     }
@@ -88,7 +88,7 @@ class ParameterGatherer {
     const Expression& known = is_known(a) ? a : b;
     const Expression& sum = is_known(a) ? b : a;
     const Node n = node(sum);
-    if (n.kind != Node::Kind::operation || (n.op != Op::add && n.op != Op::subtract)) return a + b;
+    if (n.kind != Node::Kind::operation || !is_sum(n.op)) return a + b;
     const Expression first = at(sum, n.a, sum.negative());
     const Expression second = at(sum, n.b, sum.negative() != (n.op == Op::subtract));
     if (is_known(first)) return second + (first + known);
@@ -96,6 +96,7 @@ class ParameterGatherer {
   }
 
   const Program& program_;
+  Graph graph_;
   Rebuild rebuild_;
   std::vector<bool> is_parameter_;  // by input element
   std::vector<bool> known_;         // by node

@@ -3,14 +3,14 @@
 #include <cstddef>
 
 #include "pass/small_angles.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::pass {
 namespace {
 
+using symbolic::Cost;
 using symbolic::Function;
 using symbolic::KernelForm;
-using symbolic::OperationCount;
 using symbolic::Program;
 using symbolic::Role;
 
@@ -40,7 +40,7 @@ constexpr int kMaxElements = 4'000;
 // sums.
 bool gains_by_level(const Function& f) {
   if (f.solved || f.in_lanes) return true;
-  const OperationCount count = symbolic::count(f.program);
+  const Cost count = symbolic::cost(f.program);
   return count.sincos > 1 || count.mul + count.add - count.instructions >= kFewestFused;
 }
 
@@ -55,9 +55,7 @@ bool takes_single_states(const Program& program) {
 }  // namespace
 
 KernelForm kernel_form(const Function& f, const GroupTraits& group) {
-  const auto is_small = [](const Program& program, int limit) {
-    return symbolic::count(program).instructions <= limit;
-  };
+  const auto is_small = [](const Program& program, int limit) { return symbolic::cost(program).instructions <= limit; };
   KernelForm form;
   form.calls_sines = group.is_kinematics && f.parts && f.parts->read.size() > kInVector;
   if (f.parts && !form.calls_sines) {

@@ -2,71 +2,22 @@
 
 #include "pass/passes.h"
 #include "pass/statements.h"
-#include "symbolic/count.h"
+#include "support/index.h"
+#include "symbolic/cost.h"
 #include "symbolic/rebuild.h"
 
 namespace robcogen::pass {
 namespace {
 
 using symbolic::Expression;
-using symbolic::kDivisionLatency;
+using symbolic::Graph;
 using symbolic::kLatency;
+using symbolic::latency;
 using symbolic::Op;
 using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Rebuild;
 using symbolic::Statement;
-
-// How often each statement is read, outputs included.
-std::vector<int> uses_of(const Program& p) {
-  std::vector<int> uses(p.statements.size(), 0);
-  for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[static_cast<std::size_t>(read)]; });
-  for (const symbolic::OutputArray& array : p.outputs)
-    for (const Operand& o : array.values)
-      if (is_statement(o)) ++uses[static_cast<std::size_t>(o.index)];
-  return uses;
-}
-
-// A tree of sums that nothing else reads, as one list of signed terms.
-class SumTree {
- public:
-  SumTree(const Program& p, const std::vector<bool>& inner) : p_(p), inner_(inner) {}
-
-  void collect(std::size_t root, bool negative) {
-    const Statement& s = p_.statements[root];
-    term(s.a, negative);
-    term(s.b, negative != (s.op == Op::subtract));
-  }
-
-  std::vector<Operand> terms;
-
- private:
-  const Program& p_;
-  const std::vector<bool>& inner_;
-
-  void term(Operand o, bool negative) {
-    o.negative = o.negative != negative;
-    if (is_statement(o) && inner_[static_cast<std::size_t>(o.index)])
-      collect(static_cast<std::size_t>(o.index), o.negative);
-    else
-      terms.push_back(o);
-  }
-};
-
-int latency(Op op) {
-  switch (op) {
-    case Op::sine:
-    case Op::cosine:
-      return 0;  // an input
-    case Op::divide:
-    case Op::square_root:
-      return kDivisionLatency;
-    case Op::arc_tangent:
-      return symbolic::kArcTangentLatency;
-    default:
-      return kLatency;
-  }
-}
 
 // The latest cycle at which each statement may finish so that all are done by `deadline`.
 std::vector<int> latest_finish(const Program& p, int deadline) {
@@ -74,7 +25,7 @@ std::vector<int> latest_finish(const Program& p, int deadline) {
   for (std::size_t i = p.statements.size(); i-- > 0;) {
     const Statement& s = p.statements[i];
     for_each_read(s, [&](int read) {
-      const auto r = static_cast<std::size_t>(read);
+      const auto r = at(read);
       const bool fused = is_sum(s.op) && p.statements[r].op == Op::multiply;
       latest[r] = std::min(latest[r], fused ? latest[i] : latest[i] - latency(s.op));
     });
@@ -85,16 +36,14 @@ std::vector<int> latest_finish(const Program& p, int deadline) {
 class Reassociation {
  public:
   explicit Reassociation(const Program& p)
-      : p_(p), uses_(uses_of(p)), inner_(p.statements.size(), false), finish_(p.statements.size(), 0), rebuild_(p) {
-    const symbolic::OperationCount now = symbolic::count(p);
-    latest_ = latest_finish(p, std::max(now.critical_path, now.instructions / 2));
-    for (const Statement& s : p.statements) {
-      if (!is_sum(s.op)) continue;
-      for_each_read(s, [&](int read) {
-        const auto r = static_cast<std::size_t>(read);
-        inner_[r] = uses_[r] == 1 && is_sum(p.statements[r].op) && !p.statements[r].named;
-      });
-    }
+      : p_(p),
+        uses_(use_counts(p)),
+        inner_(inner_sums(p, uses_)),
+        latest_(latest_finish(p, symbolic::time(symbolic::cost(p)))),
+        finish_(p.statements.size(), 0),
+        rebuild_(graph_, p) {
+    for (std::size_t i = 0; i < p.statements.size(); ++i)
+      if (p.statements[i].named) inner_[i] = false;
   }
 
   Program run() {
@@ -109,28 +58,27 @@ class Reassociation {
  private:
   const Program& p_;
   std::vector<int> uses_;
-  std::vector<bool> inner_;  // a sum that only another sum reads
+  std::vector<bool> inner_;  // a sum without a name that only another sum reads
   std::vector<int> latest_;
   std::vector<int> finish_;  // of rebuilt statements
+  Graph graph_;
   Rebuild rebuild_;
 
   bool is_product(const Operand& o) const {
     if (!is_statement(o)) return false;
-    const auto i = static_cast<std::size_t>(o.index);
-    return p_.statements[i].op == Op::multiply && uses_[i] == 1;
+    return p_.statements[at(o.index)].op == Op::multiply && uses_[at(o.index)] == 1;
   }
 
   // The cycle in which a term can enter a sum: a product is fused, so its factors count.
   int ready(const Operand& o) const {
     if (!is_statement(o)) return 0;
-    const int finish = finish_[static_cast<std::size_t>(o.index)];
+    const int finish = finish_[at(o.index)];
     return is_product(o) ? finish - kLatency : finish;
   }
 
   bool make_chain(std::size_t root) {
-    SumTree tree(p_, inner_);
-    tree.collect(root, false);
-    std::vector<Operand>& terms = tree.terms;
+    std::vector<Operand> terms;
+    terms_of(p_, inner_, static_cast<int>(root), terms);
     std::stable_sort(
         terms.begin(), terms.end(), [&](const Operand& a, const Operand& b) { return ready(a) < ready(b); });
     const auto first = std::find_if_not(terms.begin(), terms.end(), [&](const Operand& o) { return is_product(o); });
@@ -151,8 +99,8 @@ class Reassociation {
     int start = 0;
     for (const Operand& o : {s.a, s.b}) {
       if (!is_statement(o)) continue;
-      if (inner_[static_cast<std::size_t>(o.index)] && is_sum(s.op)) keep(static_cast<std::size_t>(o.index));
-      start = std::max(start, is_sum(s.op) ? ready(o) : finish_[static_cast<std::size_t>(o.index)]);
+      if (inner_[at(o.index)] && is_sum(s.op)) keep(at(o.index));
+      start = std::max(start, is_sum(s.op) ? ready(o) : finish_[at(o.index)]);
     }
     rebuild_.set(i, rebuild_.compute(i));
     finish_[i] = start + latency(s.op);

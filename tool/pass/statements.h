@@ -25,4 +25,17 @@ void for_each_read(const symbolic::Statement& s, F f) {
   });
 }
 
+// How often each statement is read, outputs included.
+std::vector<int> use_counts(const symbolic::Program& program);
+
+// Which sums are read by one statement only, which is a sum of the same width. `uses`: by statement.
+std::vector<bool> inner_sums(const symbolic::Program& program, const std::vector<int>& uses);
+
+// Sets `terms` to the terms of a sum, including those of its inner sums.
+void terms_of(
+    const symbolic::Program& program,
+    const std::vector<bool>& inner,
+    int sum,
+    std::vector<symbolic::Operand>& terms);
+
 }  // namespace robcogen::pass

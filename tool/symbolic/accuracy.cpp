@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "symbolic/state_evaluator.h"
+#include "support/index.h"
+#include "symbolic/interpret.h"
+#include "symbolic/states.h"
 
 namespace robcogen::symbolic {
 namespace {
@@ -32,6 +34,29 @@ constexpr double kLostOfPivot = 1.0 / 16;
 // In a state in which results cancel, errors are measured relative to this share of the usual size of the results.
 constexpr double kLeastScale = 0.25;
 
+// The constants and inputs of a program in all states.
+template <class Real>
+class Leaves {
+ public:
+  Leaves(const Program& program, const std::vector<double>& parameters) {
+    for (const InputArray& array : program.inputs)
+      for (std::size_t k = 0; k < array.elements.size(); ++k)
+        inputs_.push_back(in_all_states<Real>([&](std::size_t s) {
+          return rounded<Real>({input_of(array, k, s, parameters), 0.0});
+        }));
+    for (const Constant& c : program.constants)
+      constants_.push_back(in_all_states<Real>([&](std::size_t) { return literal_as<Real>(c.number()); }));
+  }
+
+  const Batch<Real>& operator()(const Operand& o) const { return (is_constant(o) ? constants_ : inputs_)[at(o.index)]; }
+
+ private:
+  std::vector<Batch<Real>> constants_, inputs_;
+};
+
+template <class Real>
+using InStates = Interpreter<Batch<Real>, Leaves<Real>>;
+
 const OutputArray& output_of(const Program& program, const std::string& name) {
   const auto found = std::find_if(
       program.outputs.begin(), program.outputs.end(), [&](const OutputArray& array) { return array.name == name; });
@@ -51,10 +76,7 @@ struct Errors {
 };
 
 // The largest error of any pivot in float over all states, relative to its value in double.
-double error_of_pivots(
-    const Program& program,
-    const StateEvaluator<double>& in_double,
-    const StateEvaluator<float>& in_float) {
+double error_of_pivots(const Program& program, const InStates<double>& in_double, const InStates<float>& in_float) {
   double largest = 0.0;
   for (const Statement& s : program.statements) {
     if (s.op != Op::divide && s.op != Op::square_root) continue;
@@ -122,14 +144,13 @@ struct AccurateResults::Results {
   Errors of_plain;
 
   template <class Real>
-  std::vector<ArrayError> errors_of(const Program& program, const StateEvaluator<Real>& evaluator, double rounding)
-      const {
+  std::vector<ArrayError> errors_of(const Program& program, const InStates<Real>& values, double rounding) const {
     std::vector<ArrayError> result;
     for (const Output& expected : outputs) {
       const OutputArray& found = output_of(program, expected.name);
       std::array<double, kStates> largest{};
       for (std::size_t k = 0; k < expected.values.size(); ++k) {
-        const Batch<Real> value = evaluator.read(found.values[k]);
+        const Batch<Real> value = values.read(found.values[k]);
         for (std::size_t s = 0; s < kStates; ++s) {
           const DoubleDouble exact = get(expected.values[k], s);
           const double error = std::abs((static_cast<double>(get(value, s)) - exact.high) - exact.low);
@@ -145,8 +166,8 @@ struct AccurateResults::Results {
 
   Errors errors_of(const Program& program) const {
     constexpr double kOfDouble = 0x1p-53, kOfFloat = 0x1p-24;
-    const StateEvaluator<double> in_double(program, parameters);
-    const StateEvaluator<float> in_float(program, parameters);
+    const InStates<double> in_double(program, {program, parameters});
+    const InStates<float> in_float(program, {program, parameters});
     return {
         errors_of(program, in_double, kOfDouble), errors_of(program, in_float, kOfFloat),
         error_of_pivots(program, in_double, in_float)};
@@ -156,13 +177,13 @@ struct AccurateResults::Results {
 AccurateResults::AccurateResults(const Program& program, std::vector<double> parameters) {
   auto results = std::make_unique<Results>();
   results->parameters = std::move(parameters);
-  const StateEvaluator<DoubleDouble> evaluator(program, results->parameters);
+  const InStates<DoubleDouble> values(program, {program, results->parameters});
   for (const OutputArray& array : program.outputs) {
     Results::Output& output = results->outputs.emplace_back();
     output.name = array.name;
     output.scale.fill(0.0);
     for (const Operand& o : array.values) {
-      output.values.push_back(evaluator.read(o));
+      output.values.push_back(values.read(o));
       for (std::size_t s = 0; s < kStates; ++s) {
         const double size = std::abs(output.values.back().high[s]);
         output.scale[s] = std::isfinite(size) ? std::max(output.scale[s], size) : kInfinity;

@@ -78,7 +78,7 @@ std::vector<Column> columns_of(const Program& p, const OutputArray& array) {
 }
 
 // The number of stores that write this many equal elements, with vectors of four.
-int cost(int count) {
+int stores_of(int count) {
   return count < 4 ? count : (count + 3) / 4;
 }
 
@@ -95,7 +95,7 @@ std::vector<Fill> fills_of(int index, const OutputArray& array, const std::vecto
     Fill run = {index, k, end - k, o};
     if (!fills.empty() && fills.back().value == o) {
       const int all = end - fills.back().first;
-      if (cost(all) <= cost(fills.back().count) + cost(run.count)) {
+      if (stores_of(all) <= stores_of(fills.back().count) + stores_of(run.count)) {
         run = {index, fills.back().first, all, o};
         fills.pop_back();
       }

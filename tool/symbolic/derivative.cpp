@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "support/index.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/partials.h"
 #include "symbolic/rebuild.h"
 
@@ -18,26 +19,32 @@ class Differentiated {
  public:
   explicit Differentiated(const Program& program) : Differentiated(program, program.inputs.size(), {}) {}
 
-  // Adds another input in front of the input array `place`.
+  // Adds another input in front of the input array `place`, unless it has no elements.
   Differentiated(const Program& program, std::size_t place, const InputArray& added)
       : program_(program),
-        rebuild_(program, place, added),
         added_(static_cast<int>(added.elements.size())),
+        rebuild_(
+            graph_,
+            program,
+            [this](const Operand& o) {
+              return o.kind == Operand::Kind::input ? std::optional(input(o.index)) : std::nullopt;
+            }),
+        inputs_(program.inputs),
         shapes_(program.outputs) {
     if (program.has_lanes()) throw std::logic_error("derivatives of a program with lanes");
+    for (std::size_t k = 0; k < place; ++k) place_ += static_cast<int>(program.inputs[k].elements.size());
+    if (added_ > 0) inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(place), added);
     // Inputs that nothing reads have a derivative too.
-    int elements = added_;
-    for (const InputArray& array : program.inputs) elements += static_cast<int>(array.elements.size());
-    for (int element = 0; element < elements; ++element) graph().input(element);
+    for (int element = 0; element < program.input_count() + added_; ++element) graph_.input(element);
     rebuild_.keep_all();
     outputs_ = rebuild_.outputs();
-    size_ = graph().nodes().size();
+    size_ = graph_.nodes().size();
   }
 
-  Graph& graph() { return rebuild_.graph; }
+  Graph& graph() { return graph_; }
   // The number of expressions beyond which nothing more is differentiated.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
-  bool is_full() const { return rebuild_.graph.nodes().size() > limit; }
+  bool is_full() const { return graph_.nodes().size() > limit; }
 
   const std::vector<Expression>& output(std::size_t k) const { return outputs_[k]; }
   const std::vector<Expression>& output(const std::string& name) const {
@@ -52,7 +59,7 @@ class Differentiated {
     for (const InputArray& array : program_.inputs) {
       const auto count = static_cast<int>(array.elements.size());
       std::vector<Expression> elements;
-      for (int k = 0; array.name == name && k < count; ++k) elements.push_back(rebuild_.input(first + k));
+      for (int k = 0; array.name == name && k < count; ++k) elements.push_back(input(first + k));
       if (array.name == name) return elements;
       first += count;
     }
@@ -70,7 +77,7 @@ class Differentiated {
 
   std::vector<Expression> added() {
     std::vector<Expression> elements;
-    for (int k = 0; k < added_; ++k) elements.push_back(rebuild_.added_input(k));
+    for (int k = 0; k < added_; ++k) elements.push_back(graph_.input(place_ + k));
     return elements;
   }
 
@@ -108,16 +115,19 @@ class Differentiated {
     return d;
   }
 
-  Program finish() const { return rebuild_.finish(shapes_, outputs_); }
+  Program finish() const { return rebuild_.finish(inputs_, shapes_, outputs_); }
 
  private:
   const Program& program_;
+  Graph graph_;
+  int place_ = 0, added_ = 0;  // of the added input: its first element, the number of its elements
   Rebuild rebuild_;
-  int added_;  // elements of the added input
+  std::vector<InputArray> inputs_;
   std::vector<OutputArray> shapes_;
   std::vector<std::vector<Expression>> outputs_;
   std::size_t size_ = 0;  // nodes of the program
 
+  Expression input(int element) { return graph_.input(element < place_ ? element : element + added_); }
   static bool is_zero(const std::vector<Expression>& d, int node) { return d[at(node)].is_zero(); }
 };
 

@@ -43,7 +43,7 @@ struct Rate {
 std::vector<Expression> rates_of(const std::vector<Expression>& of, const std::vector<Rate>& changes);
 
 // `cheaper`: forward mode, or reverse mode (an adjoint for each element of the outputs), whichever takes less work
-// (count.h).
+// (cost.h).
 enum class DerivativeMode { forward, cheaper };
 
 // Returns the program with the derivatives of its outputs by each element of these inputs as further outputs. The

@@ -90,13 +90,10 @@ class Graph {
   // An operand of a node.
   Expression expression(int node, bool negative) { return Expression(this, node, negative); }
 
-  // A checkpoint, and the return to it, which forgets everything that was built since. Used to compare the cost of
-  // variants.
+  // A checkpoint, and the return to it, which forgets everything that was built since. Used to compare the work of
+  // variants (cost.h).
   std::size_t mark() const { return nodes_.size(); }
   void rollback(std::size_t mark);
-  // The cost of everything that was built since the mark: operations, plus instructions after fusing sums with
-  // products.
-  int cost_since(std::size_t mark) const;
 
   // For programs that are only counted: from now on sections and names are ignored, and statements have no names.
   void forget_names() { names_matter_ = false; }

@@ -133,18 +133,6 @@ void Graph::rollback(std::size_t mark) {
   for (std::size_t s = section_starts_.size(); s-- > 0 && section_starts_[s] > mark;) section_starts_[s] = mark;
 }
 
-int Graph::cost_since(std::size_t mark) const {
-  constexpr int kDivision = 8;
-  int cost = 0;
-  for (std::size_t i = mark; i < nodes_.size(); ++i) {
-    const Node& n = nodes_[i];
-    if (n.kind != Node::Kind::operation) continue;
-    const bool swallows = is_sum(n) && (is_product(nodes_[at(n.a)]) || is_product(nodes_[at(n.b)]));
-    cost += n.op == Op::divide || n.op == Op::square_root ? kDivision : swallows ? 1 : is_binary(n.op) ? 2 : 0;
-  }
-  return cost;
-}
-
 void Graph::begin_section(std::string title, std::string prefix) {
   if (!names_matter_) return;
   sections_.push_back({std::move(title), std::move(prefix)});

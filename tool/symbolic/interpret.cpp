@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "symbolic/apply.h"
-
 namespace robcogen::symbolic {
 namespace {
 
@@ -48,42 +46,10 @@ Arrays<Real> interpret(const Program& program, const Arrays<Real>& inputs) {
   std::vector<Real> constant;
   constant.reserve(program.constants.size());
   for (const Constant& c : program.constants) constant.push_back(value_of<Real>(c.number()));
-  std::vector<Real> computed;      // lane by lane
-  std::vector<std::size_t> start;  // place of each statement's first lane
-  computed.reserve(program.statements.size());
-  start.reserve(program.statements.size());
-
-  const auto read_lane = [&](const Operand& o, int lane) {
-    const auto i = static_cast<std::size_t>(o.index);
-    const auto of_statement = [&] {
-      const int own = o.lane >= 0 ? o.lane : program.statements[i].width > 1 ? lane : 0;
-      return computed[start[i] + static_cast<std::size_t>(own)];
-    };
-    const Real x = is_constant(o) ? constant[i] : o.kind == Operand::Kind::input ? input[i] : of_statement();
-    return o.negative ? -x : x;
-  };
-  const auto read = [&](const Operand& o) { return read_lane(o, 0); };
-  for (const Statement& s : program.statements) {
-    start.push_back(computed.size());
-    if (s.op == Op::sum_lanes) {
-      Real sum = read_lane(s.a, 0);
-      for (int lane = 1; lane < program.statements[static_cast<std::size_t>(s.a.index)].width; ++lane)
-        sum += read_lane(s.a, lane);
-      computed.push_back(sum);
-      continue;
-    }
-    for (int lane = 0; lane < s.width; ++lane)
-      computed.push_back(
-          s.op == Op::gather ? read(s.lanes[static_cast<std::size_t>(lane)])
-                             : apply(s.op, read_lane(s.a, lane), is_binary(s.op) ? read_lane(s.b, lane) : Real(0)));
-  }
-
+  const auto leaf = [&](const Operand& o) { return (is_constant(o) ? constant : input)[at(o.index)]; };
+  std::vector<std::vector<Real>> outputs = interpreter<Real>(program, leaf).outputs();
   Arrays<Real> result;
-  for (const OutputArray& array : program.outputs) {
-    std::vector<Real>& values = result[array.name];
-    values.reserve(array.values.size());
-    for (const Operand& o : array.values) values.push_back(read(o));
-  }
+  for (std::size_t k = 0; k < outputs.size(); ++k) result[program.outputs[k].name] = std::move(outputs[k]);
   return result;
 }
 

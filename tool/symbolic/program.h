@@ -1,7 +1,7 @@
 // The neutral intermediate representation: a program of named scalar statements from input arrays to output arrays.
 //
 // A program is data. It prints as text and reads back (text.h), is verified (verify.h), interpreted (interpret.h),
-// counted (count.h), rewritten by passes (tool/pass) and spelled in a target language (tool/backend).
+// counted (cost.h), rewritten by passes (tool/pass) and spelled in a target language (tool/backend).
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -133,15 +133,15 @@ TEST_P(OfATree, CostsWhatItsElementsCost) {
         in_inverse += carries(parents_, GetParam(), b, k) && carries(parents_, GetParam(), k, a) ? 1 : 0;
     }
   }
-  const symbolic::OperationCount factor = symbolic::count(p.factor), solve = symbolic::count(p.solve);
-  const symbolic::OperationCount inverse_L = symbolic::count(p.inverse_L), inverse = symbolic::count(p.inverse);
+  const symbolic::Cost factor = symbolic::cost(p.factor), solve = symbolic::cost(p.solve);
+  const symbolic::Cost inverse_L = symbolic::cost(p.inverse_L), inverse = symbolic::cost(p.inverse);
   constexpr int kLeaves = 4;
   EXPECT_EQ(factor.sqrt, size_ - kLeaves);
   EXPECT_EQ(factor.div, size_ - kLeaves);
   EXPECT_EQ(solve.mul, 2 * (below_diagonal + size_));
   EXPECT_EQ(solve.add, 2 * below_diagonal);
   EXPECT_EQ(inverse_L.mul, in_inverse);
-  for (const symbolic::OperationCount& count : {solve, inverse_L, inverse}) EXPECT_EQ(count.div + count.sqrt, 0);
+  for (const symbolic::Cost& count : {solve, inverse_L, inverse}) EXPECT_EQ(count.div + count.sqrt, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, OfATree, testing::Values(false, true), [](const auto& each) {

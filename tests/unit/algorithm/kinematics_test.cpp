@@ -219,8 +219,8 @@ TEST(KinematicChain, AFrameInItselfIsTheIdentityAndCostsNothing) {
 TEST(KinematicChain, EachJointCostsOneSineAndCosine) {
   const KinematicTree tree = robot(true);
   const FramePair pair = pair_of(tree, "camera", "finger");
-  EXPECT_EQ(symbolic::count(coordinate_transform(tree, pair, TransformForm::homogeneous, "x")).sincos, 2);
-  EXPECT_EQ(symbolic::count(geometric_jacobian(tree, pair, "j")).sincos, 2);
+  EXPECT_EQ(symbolic::cost(coordinate_transform(tree, pair, TransformForm::homogeneous, "x")).sincos, 2);
+  EXPECT_EQ(symbolic::cost(geometric_jacobian(tree, pair, "j")).sincos, 2);
 }
 
 }  // namespace

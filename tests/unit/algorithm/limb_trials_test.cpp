@@ -3,7 +3,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "random_robots.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -15,8 +15,8 @@ TEST(Trials, WeighTheSameFramesOnce) {
   Trials trials;
   int weighed = 0;
   const auto work_in = [&](double turn, Quantity slide) {
-    const auto weigh = [&] { return symbolic::Weight{.work = ++weighed}; };
-    return trials.in_frames({{}, {Quantity(turn), std::move(slide)}}, weigh).weight.work;
+    const auto weigh = [&] { return symbolic::TracedCost{.work = ++weighed}; };
+    return trials.in_frames({{}, {Quantity(turn), std::move(slide)}}, weigh).cost.work;
   };
   EXPECT_EQ(work_in(0.5, Quantity(0.0)), 1);
   EXPECT_EQ(work_in(0.5, Quantity(0.0)), 1);
@@ -45,9 +45,9 @@ TEST_P(LimbTrialsOf, WeighAsTheProgramDoes) {
     for (const int j : view.joints) own.frames.push_back(frames[static_cast<std::size_t>(j)]);
     own.is_draft = true;
     const symbolic::Program program = newton_euler(view.tree, "tau", Loads::standard_gravity, own);
-    const symbolic::Weight& weight = trials.of(joint, frames).weight;
-    EXPECT_EQ(weight.work, symbolic::work(program)) << joint;
-    EXPECT_EQ(weight.statements, static_cast<long>(program.statements.size())) << joint;
+    const symbolic::TracedCost& cost = trials.of(joint, frames).cost;
+    EXPECT_EQ(cost.work, symbolic::work(program)) << joint;
+    EXPECT_EQ(cost.statements, static_cast<long>(program.statements.size())) << joint;
   }
 }
 

@@ -92,7 +92,7 @@ TEST(Reached, EulerAnglesCostTwelveProducts) {
           advance(here, turned(axis, n.expression(angle)));
           expected = expected * test::turn(axis, angle);
         }
-        const symbolic::OperationCount c = n.count(test::flat(here.rotation));
+        const symbolic::Cost c = n.count(test::flat(here.rotation));
         EXPECT_LE(c.mul, 12) << first << second << third;
         EXPECT_EQ(c.sincos, 3);
         EXPECT_TRUE(n.value(here.rotation).isApprox(expected, kTolerance)) << first << second << third;
@@ -127,7 +127,7 @@ TEST(CheapestTransform, IsTheCheapestOfTheForms) {
       tried.push_back(moment_from);
       return products(moment_from == best ? 2 : 5);
     };
-    EXPECT_EQ(symbolic::count(cheapest_transform(TransformForm::spatial_motion, 3, make)).mul, 2) << best;
+    EXPECT_EQ(symbolic::cost(cheapest_transform(TransformForm::spatial_motion, 3, make)).mul, 2) << best;
     EXPECT_EQ(tried.size(), 3U);
     tried.clear();
     cheapest_transform(TransformForm::homogeneous, 3, make);

@@ -106,7 +106,7 @@ TEST(Rotation, QuarterTurnsAreFree) {
 TEST(Rotation, APlaneCostsFourProductsAndTwoSums) {
   Numbers n;
   const Expression angle = n.expression(0.3);
-  const symbolic::OperationCount c = n.count(flat(to_parent({{}, {{1, cos(angle), sin(angle)}}}, n.vector())));
+  const symbolic::Cost c = n.count(flat(to_parent({{}, {{1, cos(angle), sin(angle)}}}, n.vector())));
   EXPECT_EQ(c.mul, 4);
   EXPECT_EQ(c.add, 2);
   EXPECT_EQ(c.sincos, 1);

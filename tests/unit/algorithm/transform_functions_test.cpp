@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::algorithm {
@@ -50,10 +50,10 @@ symbolic::Program program(const CoordinateTransforms& document, TransformForm fo
   return transform_program(document, document.transforms.front(), form, "A_X_B");
 }
 
-symbolic::OperationCount cost(
+symbolic::Cost cost(
     const std::vector<PrimitiveTransform>& primitives,
     TransformForm form = TransformForm::homogeneous) {
-  return symbolic::count(program(document(primitives), form));
+  return symbolic::cost(program(document(primitives), form));
 }
 
 std::vector<double> value(
@@ -165,7 +165,7 @@ TEST(TransformPrograms, EulerAnglesTakeTwelveProductsAndFourSums) {
     const std::vector<PrimitiveTransform> back = {turn(k, -variable(2)), turn(j, -variable(1)), turn(i, -variable(0))};
     for (const TransformForm form : kForms) {
       for (const auto& primitives : {there, back}) {
-        const symbolic::OperationCount c = cost(primitives, form);
+        const symbolic::Cost c = cost(primitives, form);
         EXPECT_EQ(c.mul, 12);
         EXPECT_EQ(c.add, 4);
         EXPECT_EQ(c.sincos, 3);
@@ -185,13 +185,13 @@ TEST(TransformPrograms, QuarterTurnsAreFree) {
 }
 
 TEST(TransformPrograms, TurnsAboutOneAxisAreOne) {
-  const symbolic::OperationCount sum = cost({turn(kZ, variable(0)), turn(kZ, variable(1)), turn(kZ, variable(2))});
+  const symbolic::Cost sum = cost({turn(kZ, variable(0)), turn(kZ, variable(1)), turn(kZ, variable(2))});
   EXPECT_EQ(sum.sincos, 1);
   EXPECT_EQ(sum.mul, 0);
   EXPECT_EQ(sum.add, 2);
   EXPECT_EQ(cost({turn(kX, variable(0)), turn(kX, -variable(0))}).instructions, 0);
   // Lengths along one axis add up as well, even if other translations come between them.
-  const symbolic::OperationCount lengths =
+  const symbolic::Cost lengths =
       cost({shift(kX, variable(0)), shift(kY, variable(1)), shift(kX, -variable(0))});
   EXPECT_EQ(lengths.instructions, 0);
 }
@@ -200,7 +200,7 @@ TEST(TransformPrograms, SquaresOfSinesAndCosinesAddUp) {
   const Quantity a = variable(0), half(0.5);
   for (const TransformForm form : kForms) {
     // Turns there and back, with a shift between them: no turn is left, and the shift is rotated.
-    const symbolic::OperationCount back = cost({turn(kX, a), shift(kY, half), turn(kX, -a)}, form);
+    const symbolic::Cost back = cost({turn(kX, a), shift(kY, half), turn(kX, -a)}, form);
     EXPECT_EQ(back.instructions, 2);
     EXPECT_EQ(back.sincos, 1);
     // The second turn is about the opposite axis.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "algorithm/spatial/pose.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::algorithm::test {
@@ -72,8 +72,8 @@ class Numbers {
   Eigen::Vector3d value(const Vector3& v) const { return Eigen::Vector3d(evaluate(graph, inputs, flat(v)).data()); }
   Eigen::Matrix3d value(const Matrix3& m) const { return Eigen::Matrix3d(evaluate(graph, inputs, flat(m)).data()); }
 
-  symbolic::OperationCount count(const std::vector<Expression>& values) const {
-    return symbolic::count(program(graph, inputs.size(), values));
+  symbolic::Cost count(const std::vector<Expression>& values) const {
+    return symbolic::cost(program(graph, inputs.size(), values));
   }
 
  private:

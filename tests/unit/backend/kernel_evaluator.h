@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::test {
 
@@ -23,12 +23,12 @@ class KernelEvaluator {
 
   const Values& values() const { return values_; }
   // Counts of mul, add, div, sqrt and sincos in the lines; a unary minus is not an operation.
-  const symbolic::OperationCount& count() const { return count_; }
+  const symbolic::Cost& count() const { return count_; }
 
  private:
   Values values_;
   std::map<std::string, std::string> angles_;  // the element from which `trig[1]` is computed
-  symbolic::OperationCount count_;
+  symbolic::Cost count_;
   std::string text_;
   std::size_t at_ = 0;
 

@@ -5,7 +5,7 @@
 #include "kernel_evaluator.h"
 #include "programs.h"
 #include "random_program.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 #include "symbolic/verify.h"
 
@@ -83,7 +83,7 @@ TEST(LowerProperty, TheTextComputesWhatTheProgramComputes) {
       }
     }
 
-    const symbolic::OperationCount count = symbolic::count(without_dead_statements(program));
+    const symbolic::Cost count = symbolic::cost(without_dead_statements(program));
     EXPECT_EQ(evaluator.count().mul, count.mul);
     EXPECT_EQ(evaluator.count().add, count.add);
     EXPECT_EQ(evaluator.count().div, count.div);

@@ -4,7 +4,7 @@
 #include "documents.h"
 #include "driver/trace.h"
 #include "pass/passes.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 
@@ -61,7 +61,7 @@ TEST(AccurateFunctions, ThatLoseDigitsAreTracedAgain) {
   const Function& f = after.list.at(0);
   EXPECT_FALSE(f.results->are_kept_by(spoilt.traced.program));
   EXPECT_TRUE(f.results->are_kept_by(f.traced.program));
-  EXPECT_LE(symbolic::count(f.traced.program).add, symbolic::count(sound).add + 2);
+  EXPECT_LE(symbolic::cost(f.traced.program).add, symbolic::cost(sound).add + 2);
   EXPECT_FALSE(f.congruent);
   EXPECT_TRUE(after.list.at(1).traced.error);
 }

@@ -7,7 +7,7 @@
 #include "documents.h"
 #include "driver/trace.h"
 #include "pass/passes.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::driver {
@@ -67,7 +67,7 @@ TEST(Optimise, LanguagesThatTakeSinesGetThem) {
   const Model model = rods();
   const Functions without = optimised(model, {}), with = optimised(model, {}, {.takes_sines = true});
   EXPECT_FALSE(without.trigonometry);
-  EXPECT_GT(symbolic::count(without.list.at(0).traced.program).sincos, 0);
+  EXPECT_GT(symbolic::cost(without.list.at(0).traced.program).sincos, 0);
   ASSERT_TRUE(with.trigonometry);
   EXPECT_GE(with.trigonometry->angle_count, 2);  // at least one for each joint
   EXPECT_TRUE(with.list.at(0).parts);
@@ -96,7 +96,7 @@ TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {
   const Program& reference = whole.list.at(0).traced.program;
   with_parameters[reference.inputs.at(0).name] = {heavy};
   expect_same(tau_of(kernel, with_cache), tau_of(reference, with_parameters));
-  EXPECT_LE(symbolic::count(kernel).mul, symbolic::count(reference).mul);
+  EXPECT_LE(symbolic::cost(kernel).mul, symbolic::cost(reference).mul);
 }
 
 // Four legs with three joints each: one statement serves all legs.
@@ -112,7 +112,7 @@ TEST(Optimise, CongruentLimbsShareLanes) {
   ASSERT_TRUE(f.in_lanes);
   ASSERT_EQ(f.limbs_in_lanes.size(), 1U);
   EXPECT_EQ(std::count(f.limbs_in_lanes[0].begin(), f.limbs_in_lanes[0].end(), ','), 3);
-  EXPECT_LT(2 * symbolic::count(*f.in_lanes).instructions, symbolic::count(f.traced.program).instructions);
+  EXPECT_LT(2 * symbolic::cost(*f.in_lanes).instructions, symbolic::cost(f.traced.program).instructions);
   symbolic::Arrays<double> state;
   for (const char* array : {"q", "qd", "qdd"})
     for (int j = 0; j < 12; ++j) state[array].push_back(0.1 * j - 0.5);
@@ -126,7 +126,7 @@ TEST(Optimise, TransformsAreOptimisedToo) {
   ASSERT_EQ(functions.list.size(), 6U);
   EXPECT_FALSE(functions.trigonometry);
   for (const Function& f : functions.list) {
-    const symbolic::OperationCount c = symbolic::count(f.traced.program);
+    const symbolic::Cost c = symbolic::cost(f.traced.program);
     EXPECT_EQ(c.sincos, 1) << f.traced.name;
     EXPECT_LE(c.mul, 4) << f.traced.name;
   }

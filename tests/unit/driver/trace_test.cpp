@@ -5,7 +5,7 @@
 
 #include "documents.h"
 #include "driver/failure.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::driver {

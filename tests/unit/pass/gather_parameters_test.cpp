@@ -1,7 +1,7 @@
 // Text in, text out: values that depend only on parameters fold like constants.
 #include "pass/gather_parameters.h"
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
 namespace robcogen::pass {
@@ -53,7 +53,7 @@ TEST(GatherParameters, ProductsOfTwoVariablesStay) {
       "let z = y * x[1]\n"
       "let w = 2 * z\n"
       "return out w\n";
-  EXPECT_EQ(symbolic::count(gather_parameters(parametric(statements))).mul, 4);
+  EXPECT_EQ(symbolic::cost(gather_parameters(parametric(statements))).mul, 4);
 }
 
 TEST(GatherParameters, ChangesNoResult) {

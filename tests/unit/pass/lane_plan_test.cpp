@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "two_limbs.h"
 
 namespace robcogen::pass {

@@ -2,7 +2,7 @@
 #include "pass/lanes/lane_program.h"
 
 #include "pass/lanes/plan_signs.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "two_limbs.h"
 
 namespace robcogen::pass {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
 namespace robcogen::pass {
@@ -44,7 +44,7 @@ TEST(PackLanes, OneStatementServesAllLimbs) {
   const Program lanes = packed(program, kLegs);
   EXPECT_EQ(symbolic::verify(lanes), "");
   EXPECT_EQ(run(lanes), run(program));
-  const symbolic::OperationCount c = symbolic::count(lanes);
+  const symbolic::Cost c = symbolic::cost(lanes);
   EXPECT_EQ(std::pair(c.mul, c.add), std::pair(1, 1));
 }
 
@@ -87,7 +87,7 @@ TEST(PackLanes, NumbersTakeTheSignsOfMirroredLimbs) {
       with("tmp L_a = q[0] * 0.5\ntmp R_a = q[2] * 0.5\ntmp L_b = q[1] + L_a\ntmp R_b = q[3] - R_a\n", "L_b R_b", 2);
   const Program lanes = packed(program, kLegs);
   EXPECT_EQ(run(lanes), run(program));
-  const symbolic::OperationCount c = symbolic::count(lanes);
+  const symbolic::Cost c = symbolic::cost(lanes);
   EXPECT_EQ(std::pair(c.mul, c.add), std::pair(1, 1));
   bool has_signs = false;
   for (const Statement& s : lanes.statements)
@@ -101,7 +101,7 @@ TEST(PackLanes, ElseAProductTurnsSigns) {
       with("tmp L_a = q[0] * q[1]\ntmp R_a = q[2] * q[3]\ntmp L_b = q[1] + L_a\ntmp R_b = q[3] - R_a\n", "L_b R_b", 2);
   const Program lanes = packed(program, kLegs);
   EXPECT_EQ(run(lanes), run(program));
-  EXPECT_EQ(symbolic::count(lanes).mul, 2);
+  EXPECT_EQ(symbolic::cost(lanes).mul, 2);
 }
 
 // The trunk is computed as without lanes.
@@ -145,7 +145,7 @@ TEST(PackLanes, IsIdempotent) {
   const Program program = with(statements, "L_t62 R_t62", 2);
   const Packed once = pack_lanes(program, kLegs);
   EXPECT_EQ(once.in_lanes, std::vector<bool>{true});
-  EXPECT_EQ(2 * symbolic::count(once.program).instructions, symbolic::count(program).instructions);
+  EXPECT_EQ(2 * symbolic::cost(once.program).instructions, symbolic::cost(program).instructions);
   const Packed twice = pack_lanes(once.program, kLegs);
   EXPECT_EQ(twice.in_lanes, std::vector<bool>{false});
   EXPECT_EQ(symbolic::print(twice.program), symbolic::print(once.program));

@@ -2,7 +2,7 @@
 #include "pass/lanes/plan_signs.h"
 
 #include "pass/lanes/lane_program.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "two_limbs.h"
 
 namespace robcogen::pass {
@@ -112,8 +112,8 @@ TEST(PlanSigns, SaveChanges) {
     const Program without = lane_program(p, *plan, no_signs, unplanned_builder);
     ASSERT_EQ(robcogen::test::difference(p, with, kInputs), "") << print(p) << print(with);
     ASSERT_EQ(robcogen::test::difference(p, without, kInputs), "") << print(p) << print(without);
-    planned += symbolic::count(with).mul;
-    unplanned += symbolic::count(without).mul;
+    planned += symbolic::cost(with).mul;
+    unplanned += symbolic::cost(without).mul;
   }
   EXPECT_LT(10 * planned, 9 * unplanned);
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pass/passes.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
 namespace robcogen::pass {
@@ -18,7 +18,7 @@ std::string reassociated(const std::string& statements, int outputs = 1) {
 }
 
 int instructions(const Program& p) {
-  return symbolic::count(p).instructions;
+  return symbolic::cost(p).instructions;
 }
 
 // x + (m + n): the inner sum fuses with one product, the outer sum with none. (x + m) + n fuses with both.
@@ -80,8 +80,8 @@ TEST(Reassociate, AProductIsReadyWithItsFactors) {
       "let t = s + a[0]\n"
       "return out t u\n",
       2);
-  EXPECT_EQ(symbolic::count(before).critical_path, 4 + 2 * 4);
-  EXPECT_EQ(symbolic::count(reassociate(before)).critical_path, 4 + 4);
+  EXPECT_EQ(symbolic::cost(before).critical_path, 4 + 2 * 4);
+  EXPECT_EQ(symbolic::cost(reassociate(before)).critical_path, 4 + 4);
 }
 
 TEST(Reassociate, ASumThatIsReadTwiceIsNotTakenApart) {
@@ -107,8 +107,8 @@ TEST(Reassociate, KeepsASumWhoseChainWouldBeLate) {
         "tmp x" + std::to_string(k) + " = r" + std::to_string(2 * k) + " + r" + std::to_string(2 * k + 1) + "\n";
   statements += "tmp y0 = x0 + x1\ntmp y1 = x2 + x3\ntmp z = y0 + y1\nreturn out z\n";
   const Program before = test::small_program(statements), after = reassociate(before);
-  EXPECT_EQ(symbolic::count(before).critical_path, 4 + 3 * 4);
-  EXPECT_LE(symbolic::count(after).critical_path, symbolic::count(before).critical_path);
+  EXPECT_EQ(symbolic::cost(before).critical_path, 4 + 3 * 4);
+  EXPECT_LE(symbolic::cost(after).critical_path, symbolic::cost(before).critical_path);
 }
 
 // The purpose of reassociation: never more instructions, and fewer if a sum of products was badly grouped.

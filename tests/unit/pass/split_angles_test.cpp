@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
 namespace robcogen::pass {
@@ -84,7 +84,7 @@ TEST(SplitAngles, TakesSinesOfJoints) {
   EXPECT_EQ(split.angle_count, 3);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 2}));
   const Program& core = split.parts[0]->core;
-  EXPECT_EQ(symbolic::count(core).sincos, 0);
+  EXPECT_EQ(symbolic::cost(core).sincos, 0);
   ASSERT_EQ(core.inputs.size(), 5u);
   EXPECT_EQ(core.inputs[1].name, "q");
   EXPECT_EQ(core.inputs[2].role, symbolic::Role::joint_sine);
@@ -113,7 +113,7 @@ TEST(SplitAngles, AddsTheoremsForSums) {
 TEST(SplitAngles, CountsOfTheorems) {
   const auto count_of = [](const std::string& sum) {
     const Program program = with("tmp a = " + sum + "\ntmp s = sin a\n", "s s");
-    const symbolic::OperationCount c = symbolic::count(split_angles({{program}}, kJoints).addition);
+    const symbolic::Cost c = symbolic::cost(split_angles({{program}}, kJoints).addition);
     return std::pair(c.mul, c.add);
   };
   EXPECT_EQ(count_of("q[1] + pi:1:2"), std::pair(0, 0));
@@ -147,7 +147,7 @@ TEST(SplitAngles, LeavesTheRest) {
   const Program twice = with("tmp d = q[1] * 3\ntmp s = sin d\ntmp c = cos q[1]\n", "s c");
   const SplitAngles split = split_angles({{twice}}, kJoints);
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
-  EXPECT_EQ(symbolic::count(split.parts[0]->core).sincos, 1);
+  EXPECT_EQ(symbolic::cost(split.parts[0]->core).sincos, 1);
   expect_same(twice, split);
 }
 
@@ -194,7 +194,7 @@ TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
   EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4}));
   EXPECT_EQ(split.angle_count, 5);
   const Program& core = *split.parts[0]->core_in_lanes;
-  EXPECT_EQ(symbolic::count(core).sincos, 0);
+  EXPECT_EQ(symbolic::cost(core).sincos, 0);
   const Trigonometry all = computed(split);
   const std::vector<double> found = run(
       core, {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}, {"sin_q", all.sine}, {"cos_q", all.cosine}}, "out");
@@ -207,7 +207,7 @@ TEST(SplitAngles, LanesStayTogether) {
   const Program program = with("tmp s = sin v[1]\ntmp t = sin q[1]\n", "s t");
   const Program in_lanes = with("tmp a = gather v[1] q[1]\ntmp s = sin a\n", "s@0 s@1");
   const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
-  EXPECT_EQ(symbolic::count(*split.parts[0]->core_in_lanes).sincos, 1);
+  EXPECT_EQ(symbolic::cost(*split.parts[0]->core_in_lanes).sincos, 1);
   EXPECT_EQ(split.parts[0]->read, std::vector<int>{1});
 }
 

@@ -1,7 +1,7 @@
 // Values that depend only on parameters are computed separately; the rest of the program reads them from the cache.
 #include "pass/split_parameters.h"
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
 namespace robcogen::pass {
@@ -49,9 +49,9 @@ TEST(SplitParameters, LeavesWhatVariablesNeed) {
   const Program program = parametric(kPendulum);
   const SplitPrograms split = split_parameters({program}, kInterfaces);
   ASSERT_EQ(split.programs.size(), 1u);
-  EXPECT_EQ(symbolic::count(split.programs[0]).mul, 1);
-  EXPECT_EQ(symbolic::count(split.programs[0]).add, 1);
-  EXPECT_EQ(symbolic::count(split.programs[0]).sincos, 0);
+  EXPECT_EQ(symbolic::cost(split.programs[0]).mul, 1);
+  EXPECT_EQ(symbolic::cost(split.programs[0]).add, 1);
+  EXPECT_EQ(symbolic::cost(split.programs[0]).sincos, 0);
   // The cache contains the length itself, nothing that depends only on masses, the torque and the turned torque.
   EXPECT_EQ(split.kinematics.outputs[0].rows, 1);
   EXPECT_EQ(split.dynamics.outputs[0].rows, 0);

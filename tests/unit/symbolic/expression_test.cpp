@@ -157,29 +157,5 @@ TEST_F(ExpressionTest, RollbackForgetsWhatWasBuiltSince) {
   EXPECT_NE(kept * c, sine);
 }
 
-// A product costs 2 instructions, or nothing itself if it fuses with a sum; divisions and roots cost 8; sines cost
-// nothing here, because they are needed anyway.
-TEST_F(ExpressionTest, CostSinceTheMark) {
-  const std::size_t begin = graph.mark();
-  EXPECT_EQ(graph.cost_since(begin), 0);
-  const Expression product = a * b;
-  EXPECT_EQ(graph.cost_since(begin), 2);
-  product + c;
-  EXPECT_EQ(graph.cost_since(begin), 3);
-  const std::size_t middle = graph.mark();
-  a + c;
-  EXPECT_EQ(graph.cost_since(middle), 2);
-  a / c;
-  EXPECT_EQ(graph.cost_since(middle), 10);
-  sqrt(a);
-  EXPECT_EQ(graph.cost_since(middle), 18);
-  sin(a);
-  cos(a);
-  graph.constant(0.3);
-  a* b;  // known already
-  EXPECT_EQ(graph.cost_since(middle), 18);
-  EXPECT_EQ(graph.cost_since(begin), 21);
-}
-
 }  // namespace
 }  // namespace robcogen::symbolic

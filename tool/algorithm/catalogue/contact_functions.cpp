@@ -2,7 +2,7 @@
 #include "algorithm/catalogue/groups.h"
 #include "algorithm/catalogue/overloads.h"
 #include "algorithm/catalogue/sizes.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 

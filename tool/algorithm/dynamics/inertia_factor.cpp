@@ -10,7 +10,7 @@
 #include "algorithm/dynamics/elimination.h"
 #include "algorithm/spatial/describe.h"
 #include "support/index.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {

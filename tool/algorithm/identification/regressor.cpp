@@ -10,6 +10,7 @@
 #include "algorithm/kinematics/joint_poses.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -250,7 +251,7 @@ class RegressorBuilder {
     Graph& graph = robot_.trace.graph;
     const std::size_t before = graph.mark();
     make();
-    const int result = graph.cost_since(before);
+    const int result = symbolic::work_since(graph, before);
     graph.rollback(before);
     return result;
   }

@@ -3,7 +3,7 @@
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/describe.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {

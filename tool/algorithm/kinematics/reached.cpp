@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -80,7 +80,7 @@ Matrix3 product(const Reached& here) {
   const std::size_t mark = here.graph->mark();
   const auto cost_of = [&](Matrix3 (*make)(const Reached&)) {
     make(here);
-    const int cost = here.graph->cost_since(mark);
+    const int cost = symbolic::work_since(*here.graph, mark);
     here.graph->rollback(mark);
     return cost;
   };
@@ -213,13 +213,12 @@ Program cheapest_transform(TransformForm form, int tail, const std::function<Pro
   Program best = make(Reached::kNoSegment);
   if (form == TransformForm::homogeneous) return best;
   const auto cost_of = [](const Program& program) {
-    const symbolic::OperationCount c = symbolic::count(program);
-    return std::pair(c.instructions, c.mul + c.add);
+    return weighted(symbolic::cost(program), symbolic::kOfTransforms);
   };
-  auto least = cost_of(best);
+  int least = cost_of(best);
   for (const int moment_from : tail == 0 ? std::vector{0} : std::vector{0, tail}) {
     Program other = make(moment_from);
-    const auto cost = cost_of(other);
+    const int cost = cost_of(other);
     if (cost >= least) continue;
     least = cost;
     best = std::move(other);

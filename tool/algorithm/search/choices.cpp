@@ -3,7 +3,7 @@
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/formulation/rotor_spin.h"
 #include "algorithm/search/corresponding_frames.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 

@@ -3,7 +3,7 @@
 #include "algorithm/search/frame_search.h"
 #include "support/index.h"
 #include "symbolic/accuracy.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 namespace {

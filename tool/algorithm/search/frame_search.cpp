@@ -94,7 +94,7 @@ class Descent {
   // The trial of the joint's limb in these frames. Repeated trials count too, because the bound limits the trials.
   Trial& tried(int joint, const LinkFrames& frames) {
     Trial& trial = trials_.of(joint, frames);
-    left_ -= trial.weight.statements;
+    left_ -= trial.cost.statements;
     return trial;
   }
 
@@ -123,7 +123,7 @@ class Descent {
         steps.insert(steps.end(), beyond.begin(), beyond.end());
       }
       all.insert(all.end(), steps.begin(), steps.end());
-      done.push_back({joint, std::move(steps), tried(joint, frames_).weight.work});
+      done.push_back({joint, std::move(steps), tried(joint, frames_).cost.work});
     }
     return all;
   }
@@ -137,7 +137,7 @@ class Descent {
     std::optional<LinkFrames> frames = followed(tree_, candidates_, frames_, steps, counterpart);
     if (!frames) return false;
     Trial& trial = tried(joint, *frames);
-    if (trial.weight.work != expected) return false;
+    if (trial.cost.work != expected) return false;
     if (steps.empty()) return true;
     if (!trials_.keeps_digits(joint, *frames, trial)) return false;
     take(std::move(*frames));
@@ -157,10 +157,10 @@ class Descent {
     const int joint = so_far.joint;
     LinkFrames frames = changed(tree_, frames_, joint, frame, step);
     Trial& trial = tried(joint, frames);
-    const symbolic::Weight& weight = trial.weight;
-    if (weight.work >= so_far.best || weight.largest_constant > so_far.largest_constant) return;
+    const symbolic::TracedCost& cost = trial.cost;
+    if (cost.work >= so_far.best || cost.largest_constant > so_far.largest_constant) return;
     if (!trials_.keeps_digits(joint, frames, trial)) return;
-    so_far.best = weight.work;
+    so_far.best = cost.work;
     take(std::move(frames));
     step.joint = joint;
     step.turns = frame.turns_with_joint;
@@ -178,7 +178,7 @@ class Descent {
   Steps improve(int joint) {
     if (tree_.joints[at(joint)].type == model::JointType::spherical)
       return {};  // it has no axis to turn about or slide along
-    const symbolic::Weight start = tried(joint, frames_).weight;
+    const symbolic::TracedCost start = tried(joint, frames_).cost;
     double& bound = constant_bounds_[at(joint)];
     if (bound == 0.0) bound = kLarger * start.largest_constant;
     Improvement result{joint, start.work, bound};

@@ -34,7 +34,7 @@ LinkFrames frames_of_view(const LimbView& view, const LinkFrames& frames) {
 
 }  // namespace
 
-Trial& Trials::in_frames(const LinkFrames& frames, const std::function<symbolic::Weight()>& weigh) {
+Trial& Trials::in_frames(const LinkFrames& frames, const std::function<symbolic::TracedCost()>& trace) {
   known_.resize(frames.size());
   std::vector<int> key;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -43,7 +43,7 @@ Trial& Trials::in_frames(const LinkFrames& frames, const std::function<symbolic:
     if (found == known_[i].end()) known_[i].push_back(frames[i]);
   }
   const auto done = done_.find(key);
-  return done != done_.end() ? done->second : done_.emplace(std::move(key), Trial{weigh()}).first->second;
+  return done != done_.end() ? done->second : done_.emplace(std::move(key), Trial{trace()}).first->second;
 }
 
 LimbTrials::LimbTrials(
@@ -65,7 +65,7 @@ Trial& LimbTrials::of(int joint, const LinkFrames& frames) {
   return limb.trials.in_frames(own, [&] {
     Trace trace(limb.view.tree);
     trace_(trace, draft(limb, own));
-    return trace.weight();
+    return trace.cost();
   });
 }
 

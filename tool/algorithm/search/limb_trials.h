@@ -18,15 +18,15 @@ namespace robcogen::algorithm {
 using TraceOf = std::function<void(Trace&, const Formulation&)>;
 
 struct Trial {
-  symbolic::Weight weight;
+  symbolic::TracedCost cost;
   std::optional<bool> keeps_digits = {};  // set when it is first requested
 };
 
 // The trials of one limb.
 class Trials {
  public:
-  // The trial with these frames, one per joint of the limb. `weigh` is called if they are new.
-  Trial& in_frames(const LinkFrames& frames, const std::function<symbolic::Weight()>& weigh);
+  // The trial with these frames, one per joint of the limb. `trace` is called if they are new.
+  Trial& in_frames(const LinkFrames& frames, const std::function<symbolic::TracedCost()>& trace);
 
  private:
   std::vector<LinkFrames> known_;           // by joint of the limb: the frames that it was seen in

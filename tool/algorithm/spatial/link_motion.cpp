@@ -1,6 +1,7 @@
 #include "algorithm/spatial/link_motion.h"
 
 #include "algorithm/spatial/describe.h"
+#include "symbolic/cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,7 @@ template <class Complete>
 Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularState& state, const Complete& completed) {
   const std::size_t start = graph.mark();
   completed(euler_moment(m, state));
-  const int of_euler = graph.cost_since(start);
+  const int of_euler = symbolic::work_since(graph, start);
   graph.rollback(start);
   const auto moment = [&](const Vector3& across, MomentForm form) {
     return completed({across[0], across[1], moment_about_z(m, state, form)});
@@ -96,10 +97,10 @@ Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularStat
   const Vector3 across = moment_across(m, state);
   const std::size_t middle = graph.mark();
   moment(across, MomentForm::products);
-  const int of_products = graph.cost_since(start);
+  const int of_products = symbolic::work_since(graph, start);
   graph.rollback(middle);
   const Vector3 by_rate = moment(across, MomentForm::by_rate);
-  if (graph.cost_since(start) <= std::min(of_products, of_euler)) return by_rate;
+  if (symbolic::work_since(graph, start) <= std::min(of_products, of_euler)) return by_rate;
   graph.rollback(start);
   if (of_euler < of_products) return completed(euler_moment(m, state));
   return moment(moment_across(m, state), MomentForm::products);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
 
@@ -341,10 +341,10 @@ symbolic::Program ProgramTrace::program(const std::string& name) const {
   return graph.program(name, inputs_, shapes_, outputs_);
 }
 
-symbolic::Weight ProgramTrace::weight() const {
-  symbolic::Weight weight = symbolic::weight(graph, outputs_);
-  if (!parameters_.empty()) weight.work = symbolic::work(program(""));
-  return weight;
+symbolic::TracedCost ProgramTrace::cost() const {
+  symbolic::TracedCost cost = symbolic::traced_cost(graph, outputs_);
+  if (!parameters_.empty()) cost.work = symbolic::work(program(""));
+  return cost;
 }
 
 }  // namespace robcogen::algorithm

@@ -7,8 +7,8 @@
 #include "algorithm/spatial/closures.h"
 #include "algorithm/spatial/motion_force.h"
 #include "model/kinematic_tree.h"
+#include "symbolic/cost.h"
 #include "symbolic/program.h"
-#include "symbolic/weight.h"
 
 namespace robcogen::algorithm {
 
@@ -46,7 +46,7 @@ class ProgramTrace {
 
   symbolic::Program program(const std::string& name) const;
   // The cost of that program, without building it unless the model has parameters.
-  symbolic::Weight weight() const;
+  symbolic::TracedCost cost() const;
 
  protected:
   std::vector<symbolic::InputArray> inputs_;

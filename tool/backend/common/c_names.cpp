@@ -2,84 +2,109 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <functional>
+#include <set>
 #include <string_view>
-#include <unordered_set>
+#include <vector>
 
 namespace robcogen::backend::c_family {
 namespace {
 
-constexpr auto kKeywords = std::to_array<std::string_view>({
-    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
-    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
-    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
-    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
-    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
-    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
-    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
-    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
-    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
-    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
-    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "typeof",       "union",
-    "unsigned",    "using",    "virtual",    "void",      "volatile",  "wchar_t",      "while",
-    "xor",         "xor_eq",
-});
+constexpr std::string_view kKeywords[] = {
+#include "backend/common/keywords.inc"
+};
 
-// Macros of system headers and of compilers, and the types and variables of headers that a local name would shadow.
-// Names with a leading underscore need no entry, because no generated identifier has one.
-constexpr std::string_view kSystemNames[] = {
+// Macros of system headers, of compilers and of platforms, and the types and variables of headers that a local name
+// would shadow. Names with a leading underscore need no entry, because no generated identifier has one.
+constexpr std::string_view kMacros[] = {
 #include "backend/common/macros.inc"
 };
 
-// Macros of other versions of these headers, and of other processors.
-constexpr auto kOtherMacros = std::to_array<std::string_view>(
-    {"DOMAIN", "FP_FAST_FMA", "HUGE", "NDEBUG", "OVERFLOW", "PLOSS", "SING", "TLOSS", "UNDERFLOW", "X_TLOSS", "i386",
-     "imaginary", "sparc"});
+constexpr std::string_view kGlobals[] = {
+#include "backend/common/globals.inc"
+};
 
-// Macros of Windows, macOS, X11, Qt and Arduino.
-constexpr auto kPlatformMacros = std::to_array<std::string_view>({
-    "Always", "Bool", "CONST",    "Complex", "DEBUG",    "DELETE", "DEG_TO_RAD", "ERROR",   "FALSE",     "False",
-    "IN",     "NO",   "NO_ERROR", "None",    "OPTIONAL", "OUT",    "PI",         "STRICT",  "Status",    "Success",
-    "TRUE",   "True", "VOID",     "YES",     "cdecl",    "emit",   "far",        "foreach", "interface", "max",
-    "min",    "near", "nil",      "pascal",  "signals",  "slots",  "small",
-});
+// Most words differ in length from all words of the set that begin and end with the same characters.
+class Words {
+ public:
+  void add(std::string_view word) {
+    words_.emplace(word);
+    lengths_[ends(word)] |= length_bit(word);
+  }
+  bool contains(std::string_view word) const {
+    return !word.empty() && (lengths_[ends(word)] & length_bit(word)) != 0 && words_.contains(word);
+  }
 
-// Never iterated, so that it decides no order.
-const std::unordered_set<std::string_view>& reserved() {
-  static const std::unordered_set<std::string_view> names = [] {
-    std::unordered_set<std::string_view> all(kKeywords.begin(), kKeywords.end());
-    all.insert(std::begin(kSystemNames), std::end(kSystemNames));
-    all.insert(kOtherMacros.begin(), kOtherMacros.end());
-    all.insert(kPlatformMacros.begin(), kPlatformMacros.end());
-    return all;
-  }();
-  return names;
-}
+ private:
+  // A number for the pair of a word's first and last characters, and how many such numbers there are.
+  static constexpr std::size_t kEnds = 32 * 32;
+  static std::size_t ends(std::string_view word) {
+    const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
+    return 32 * number(word.front()) + number(word.back());
+  }
+  // The bit for the word's length. All longer words share the last bit.
+  static std::uint64_t length_bit(std::string_view word) {
+    return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
+  }
 
-// A number for the pair of a word's first and last characters, and how many such numbers there are.
-constexpr std::size_t kEnds = 32 * 32;
-std::size_t ends(std::string_view word) {
-  const auto number = [](char c) { return static_cast<unsigned char>(c) % std::size_t{32}; };
-  return 32 * number(word.front()) + number(word.back());
-}
+  std::set<std::string, std::less<>> words_;
+  std::array<std::uint64_t, kEnds> lengths_{};  // one bit per length
+};
 
-// The bit for the word's length. All longer words share the last bit.
-std::uint64_t length_bit(std::string_view word) {
-  return std::uint64_t{1} << std::min<std::size_t>(word.size(), 63);
-}
+// Names, and patterns of names: `AF_*`, `PRIx*`, `*_t`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
+class NameSet {
+ public:
+  template <class List>
+  explicit NameSet(const List& list) {
+    for (const std::string_view entry : list) add(entry);
+  }
+
+  void add(std::string_view entry) {
+    const std::string_view head = entry.substr(0, entry.size() - 1);
+    if (entry.front() == '*')
+      endings_.push_back(entry.substr(1));
+    else if (entry.back() == '*')
+      beginnings_[index(entry.front())].push_back(head);
+    else if (entry.back() == '~')
+      for (const char* type : {"", "f", "l", "f16", "f32", "f64", "f128", "f32x", "f64x"})
+        names_.add(std::string(head) + type);
+    else
+      names_.add(entry);
+  }
+
+  bool contains(std::string_view name) const {
+    if (name.empty()) return false;
+    const auto begins = [&](std::string_view beginning) { return name.starts_with(beginning); };
+    const auto ends = [&](std::string_view ending) { return name.back() == ending.back() && name.ends_with(ending); };
+    const std::vector<std::string_view>& beginnings = beginnings_[index(name.front())];
+    return names_.contains(name) || std::any_of(beginnings.begin(), beginnings.end(), begins) ||
+           std::any_of(endings_.begin(), endings_.end(), ends);
+  }
+
+ private:
+  static std::size_t index(char c) { return static_cast<unsigned char>(c); }
+
+  Words names_;
+  std::array<std::vector<std::string_view>, 256> beginnings_;  // by the first character
+  std::vector<std::string_view> endings_;
+};
 
 }  // namespace
 
 bool is_reserved(const std::string& name) {
-  // Most names differ in length from all reserved names that begin and end with the same characters.
-  static const auto lengths = [] {
-    std::array<std::uint64_t, kEnds> result{};  // one bit per length
-    for (const std::string_view word : reserved()) result[ends(word)] |= length_bit(word);
-    return result;
+  static const NameSet reserved = [] {
+    NameSet all(kMacros);
+    for (const std::string_view word : kKeywords) all.add(word);
+    return all;
   }();
-  return !name.empty() && (lengths[ends(name)] & length_bit(name)) != 0 && reserved().contains(name);
+  return reserved.contains(name);
+}
+
+bool is_global(const std::string& name) {
+  static const NameSet globals(kGlobals);
+  return globals.contains(name);
 }
 
 }  // namespace robcogen::backend::c_family

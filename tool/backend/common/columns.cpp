@@ -24,10 +24,10 @@ Kernel without_lines(const Function& function, const Dialect& dialect) {
   return kernel;
 }
 
-symbolic::OperationCount count(const Library& library, const Function& function) {
-  if (!function.solved) return symbolic::count(function.program);
-  symbolic::OperationCount all = symbolic::count(right_sides(library, function).program);
-  const symbolic::OperationCount one = symbolic::count(function.solved->solution);
+symbolic::Cost count(const Library& library, const Function& function) {
+  if (!function.solved) return symbolic::cost(function.program);
+  symbolic::Cost all = symbolic::cost(right_sides(library, function).program);
+  const symbolic::Cost one = symbolic::cost(function.solved->solution);
   for (const symbolic::SolvedColumns::Block& block : function.solved->blocks) {
     all.mul += block.columns * one.mul;
     all.add += block.columns * one.add;

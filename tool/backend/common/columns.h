@@ -3,7 +3,7 @@
 
 #include "backend/common/lower.h"
 #include "backend/library.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::backend {
 
@@ -17,6 +17,6 @@ Function column_solution(const symbolic::SolvedColumns& solved);
 Kernel without_lines(const Function& function, const Dialect& dialect);
 
 // The operations of a function; for a loop, those of all columns together.
-symbolic::OperationCount count(const Library& library, const Function& function);
+symbolic::Cost count(const Library& library, const Function& function);
 
 }  // namespace robcogen::backend

@@ -53,7 +53,7 @@ std::vector<std::string> summary(const OverloadedFunction& overloaded) {
 }
 
 std::string describe_operations(const Library& library, const Function& function) {
-  const symbolic::OperationCount c = count(library, function);
+  const symbolic::Cost c = count(library, function);
   return "Operations: " + std::to_string(c.mul) + " multiplications, " + std::to_string(c.add) + " additions, " +
          std::to_string(c.div) + " divisions, " + (c.sqrt ? std::to_string(c.sqrt) + " square roots, " : "") +
          std::to_string(c.sincos) + " sine and cosine pairs.";

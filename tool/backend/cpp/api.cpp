@@ -174,7 +174,7 @@ Callable callable(
     result.result = name_of_structure(last_of(f.scope)) + "_" + name;
   result.parameters = parameters(f.program);
   if (f.parts) result.core_parameters = parameters(f.parts->core);
-  result.count = symbolic::count(f.program);
+  result.count = symbolic::cost(f.program);
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include "backend/cpp/lower.h"
 #include "backend/library.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::backend::cpp {
 
@@ -27,7 +27,7 @@ struct Callable {
   std::string result = {};                        // the type that it returns
   std::vector<KernelArray> parameters = {};       // of the kernel: inputs, then outputs
   std::vector<KernelArray> core_parameters = {};  // of its core, if it has one
-  symbolic::OperationCount count = {};            // of the function's program
+  symbolic::Cost count = {};                      // of the function's program
 };
 
 struct Api {

@@ -91,7 +91,7 @@ int output_count(const symbolic::Program& program) {
 
 std::vector<Field> function_row(const Callable& c) {
   const symbolic::Program& program = c.function->program;
-  const symbolic::OperationCount& n = c.count;
+  const symbolic::Cost& n = c.count;
   std::vector<std::string> counts;
   for (int k : {n.mul, n.add, n.div, n.sqrt, n.sincos, n.instructions, n.critical_path})
     counts.push_back(std::to_string(k));

@@ -5,7 +5,7 @@
 #include "backend/cpp/lower.h"
 #include "backend/cpp/printers.h"
 #include "support/number.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::backend::cpp {
 namespace {

@@ -10,7 +10,7 @@
 #include "backend/cpp/solve_columns.h"
 #include "support/index.h"
 #include "support/parallel.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kInLanes = "in_lanes";
 constexpr const char* kOneByOne = "one_by_one";
 
-std::string counts(const symbolic::OperationCount& c) {
+std::string counts(const symbolic::Cost& c) {
   std::string result = std::to_string(c.mul) + " mul, " + std::to_string(c.add) + " add";
   const auto append = [&](int count, const char* what) {
     if (count) result += ", " + std::to_string(count) + " " + what;
@@ -34,7 +34,7 @@ std::string counts(const symbolic::OperationCount& c) {
 }
 
 std::string counts(const symbolic::Program& program) {
-  return counts(symbolic::count(program));
+  return counts(symbolic::cost(program));
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ std::string print_caller(const Library& library, const Callable& callable) {
                      comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !callable.function->form.has_own_lanes;
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
-  if (const int sums = symbolic::count(parts.angles).add; sums > 0)
+  if (const int sums = symbolic::cost(parts.angles).add; sums > 0)
     text += comment("Additions for sums of angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);

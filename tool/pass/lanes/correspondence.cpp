@@ -32,39 +32,6 @@ std::uint64_t of_operation(Op op) {
 
 }  // namespace
 
-std::vector<bool> inner_sums(const Program& p) {
-  std::vector<int> uses(p.statements.size(), 0);
-  std::vector<bool> inner(p.statements.size(), false);
-  for (const Statement& s : p.statements) for_each_read(s, [&](int read) { ++uses[at(read)]; });
-  for (const symbolic::OutputArray& array : p.outputs)
-    for (const Operand& o : array.values)
-      if (is_statement(o)) ++uses[at(o.index)];
-  for (const Statement& s : p.statements) {
-    if (!is_sum(s.op)) continue;
-    for_each_read(s, [&](int read) { inner[at(read)] = uses[at(read)] == 1 && is_sum(p.statements[at(read)].op); });
-  }
-  return inner;
-}
-
-void terms_of(const Program& p, const std::vector<bool>& inner, int sum, std::vector<Operand>& terms) {
-  terms.clear();
-  std::vector<Operand> pending = {{Operand::Kind::statement, sum, false}};
-  for (bool root = true; !pending.empty(); root = false) {
-    const Operand o = pending.back();
-    pending.pop_back();
-    if (!root && (!is_statement(o) || !inner[at(o.index)])) {
-      terms.push_back(o);
-      continue;
-    }
-    const Statement& s = p.statements[at(o.index)];
-    Operand a = s.a, b = s.b;
-    a.negative = a.negative != o.negative;
-    b.negative = b.negative != (o.negative != (s.op == Op::subtract));
-    pending.push_back(b);
-    pending.push_back(a);
-  }
-}
-
 Correspondence::Correspondence(
     const Program& program,
     const std::vector<InputTuples>& classes,

@@ -58,14 +58,4 @@ class Correspondence {
   std::vector<std::uint64_t> equal_terms_, similar_terms_;  // of the terms of sums, in any order
 };
 
-// Which sums are read by one statement only, which is a sum of the same width.
-std::vector<bool> inner_sums(const symbolic::Program& program);
-
-// Sets `terms` to the terms of a sum, including those of its inner sums.
-void terms_of(
-    const symbolic::Program& program,
-    const std::vector<bool>& inner,
-    int sum,
-    std::vector<symbolic::Operand>& terms);
-
 }  // namespace robcogen::pass

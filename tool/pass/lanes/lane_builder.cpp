@@ -8,7 +8,7 @@
 #include "support/concat.h"
 #include "support/index.h"
 #include "support/unique_names.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 #include "symbolic/lane_names.h"
 
 namespace robcogen::pass {
@@ -130,7 +130,7 @@ Operand LaneBuilder::quotient(Operand a, Operand b) {
   Operand result = product(a, b);
   Made& made = made_.back();
   made.statement.op = Op::divide;
-  made.ready += symbolic::kDivisionLatency - symbolic::kLatency;
+  made.ready += symbolic::latency(Op::divide) - symbolic::kLatency;
   return result;
 }
 
@@ -138,7 +138,7 @@ Operand LaneBuilder::unary(Op op, const Operand& a) {
   Statement s;
   s.op = op;
   s.a = a;
-  return make(std::move(s), op == Op::square_root ? symbolic::kDivisionLatency : 0);
+  return make(std::move(s), symbolic::latency(op));
 }
 
 Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
@@ -201,9 +201,7 @@ Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
     Statement s;
     s.op = Op::sum_lanes;
     s.a = packed_value;
-    int latency = 0;
-    for (int rest = lanes; rest > 1; rest /= 2) latency += symbolic::kMoveLatency + symbolic::kLatency;
-    known->second = make(std::move(s), latency);
+    known->second = make(std::move(s), symbolic::latency(Op::sum_lanes, lanes));
   }
   Operand result = known->second;
   result.negative = negative;

@@ -23,7 +23,11 @@ using LaneKey = std::array<std::pair<Operand::Kind, int>, at(kMaxLanes)>;
 class LanePacker {
  public:
   LanePacker(const Program& p, const std::vector<InputTuples>& classes, const Operand& zero)
-      : p_(p), classes_(classes), zero_(zero), inner_(inner_sums(p)), correspondence_(p, classes, inner_) {
+      : p_(p),
+        classes_(classes),
+        zero_(zero),
+        inner_(inner_sums(p, use_counts(p))),
+        correspondence_(p, classes, inner_) {
     plan_.scalars.resize(p.statements.size());
   }
 

@@ -7,11 +7,12 @@
 #include "pass/lanes/lane_program.h"
 #include "pass/lanes/plan_signs.h"
 #include "support/index.h"
-#include "symbolic/count.h"
+#include "symbolic/cost.h"
 
 namespace robcogen::pass {
 namespace {
 
+using symbolic::is_clearly_faster;
 using symbolic::Operand;
 using symbolic::predicted_time;
 using symbolic::Program;
@@ -24,17 +25,6 @@ std::optional<Program> with_lanes(const Program& program, const std::vector<Inpu
   const std::optional<LanePlan> plan = lane_plan(program, classes, builder.constant(symbolic::Constant()));
   if (!plan) return std::nullopt;
   return lane_program(program, *plan, plan_signs(*plan), builder);
-}
-
-// A smaller predicted gain may be a loss.
-bool is_clearly_faster(int time, int other) {
-  return 8 * time < 7 * other;
-}
-
-// The measure for two forms of one program in lanes, whose critical paths hardly differ.
-int instructions(const Program& program) {
-  const symbolic::OperationCount c = symbolic::count(program);
-  return c.instructions + c.moves;
 }
 
 bool can_be_lanes(const InputTuples& limbs) {
@@ -131,7 +121,7 @@ Packed pack_lanes(
   if (congruent) {
     std::optional<Packed> other = pack_classes(with_plain_numbers(*congruent), classes);
     if (other && is_clearly_faster(predicted_time(other->program), predicted_time(program)) &&
-        (!best || instructions(other->program) < instructions(best->program)))
+        (!best || predicted_time(other->program) < predicted_time(best->program)))
       best = std::move(other);
   }
   if (best) return std::move(*best);

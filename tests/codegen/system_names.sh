@@ -1,13 +1,12 @@
 #!/bin/sh
 # system_names.sh DIRECTORY: writes the names that the headers of the standard library and of POSIX use, and the names
-# that compilers predefine, as lists that C++ and CMake read:
+# that compilers predefine:
 #
 #   macros.inc   macros, and the types and variables that a local name would shadow
 #   globals.inc  functions, structures and enumerators outside of namespaces, which no namespace can have as its name
 #
-# The lists of the project are made by `system_names.sh tool/backend/common` on a machine with g++ and clang++; names
-# that other versions of these have may be added. Names that begin with '_' or contain "__" are left out, because no
-# identifier of generated code does.
+# The lists of the same names in tool/backend/common must cover them. Names that begin with '_' or contain "__" are left
+# out, because no identifier of generated code does.
 set -e
 out=${1:?usage: system_names.sh DIRECTORY}
 work=$(mktemp -d)
@@ -73,16 +72,11 @@ if command -v clang++ >"$work/which"; then
   sed -n 's/^globals //p' "$work/declared" >"$work/globals"
 fi
 
-# Prints the names, sorted, in lines of at most 118 characters.
+# Prints the names, sorted and quoted.
 list() {
-  grep -v -e '^_' -e '__' "$1" | grep -v -x -e definition | sort -u | awk -v comment="$2" '
-    BEGIN { print "// " comment " Written by system_names.sh." }
-    { item = "\"" $0 "\","
-      if (line != "" && length(line) + 1 + length(item) > 118) { print line; line = "" }
-      line = line (line == "" ? "" : " ") item }
-    END { if (line != "") print line }'
+  grep -v -e '^_' -e '__' "$1" | grep -v -x -e definition | sort -u | sed 's/.*/"&",/'
 }
 touch "$work/globals"
-list "$work/macros" 'Macros of system headers and compilers, and the types and variables that headers declare.' >"$out/macros.inc"
+list "$work/macros" >"$out/macros.inc"
 grep -v -x -F -f "$work/macros" "$work/globals" >"$work/others" || true
-list "$work/others" 'Functions, structures and enumerators of system headers.' >"$out/globals.inc"
+list "$work/others" >"$out/globals.inc"

@@ -1,4 +1,4 @@
-#include "symbolic/state_evaluator.h"
+#include "symbolic/states.h"
 
 #include <cmath>
 #include <cstdint>
