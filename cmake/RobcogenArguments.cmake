@@ -89,7 +89,7 @@ function(_robcogen_check_documents keyword)
 endfunction()
 
 # Sets `result` to regular expressions of the names in a list of the generator, which in an installed package is in the
-# folder of this file: `AF_*` is a family of names, `sin~` are sin, sinf, sinl, sinf32 and so on.
+# folder of this file: `SIG_*` is a family of names, `sin~` are sin, sinf, sinl, sinf32 and so on.
 function(_robcogen_read_names list result)
   set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${list})
   if(NOT EXISTS ${file})

@@ -1,4 +1,4 @@
-# Checks that the lists in FOLDER cover every name that SCRIPT finds on this machine: `AF_*` is a family of names, `sin~`
+# Checks that the lists in FOLDER cover every name that SCRIPT finds on this machine: `SIG_*` is a family of names, `sin~`
 # are sin, sinf, sinl, sinf32 and so on. WORK_DIR is for the lists that the script writes.
 cmake_minimum_required(VERSION 3.22...3.25)
 file(REMOVE_RECURSE ${WORK_DIR})

@@ -53,7 +53,7 @@ class Words {
   std::array<std::uint64_t, kEnds> lengths_{};  // one bit per length
 };
 
-// Names, and patterns of names: `AF_*`, `PRIx*`, `*_t`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
+// Names, and patterns of names: `SIG_*`, `PRIx*`, and `sin~` for sin, sinf, sinl, sinf32 and so on.
 class NameSet {
  public:
   template <class List>
@@ -63,9 +63,7 @@ class NameSet {
 
   void add(std::string_view entry) {
     const std::string_view head = entry.substr(0, entry.size() - 1);
-    if (entry.front() == '*')
-      endings_.push_back(entry.substr(1));
-    else if (entry.back() == '*')
+    if (entry.back() == '*')
       beginnings_[index(entry.front())].push_back(head);
     else if (entry.back() == '~')
       for (const char* type : {"", "f", "l", "f16", "f32", "f64", "f128", "f32x", "f64x"})
@@ -77,10 +75,8 @@ class NameSet {
   bool contains(std::string_view name) const {
     if (name.empty()) return false;
     const auto begins = [&](std::string_view beginning) { return name.starts_with(beginning); };
-    const auto ends = [&](std::string_view ending) { return name.back() == ending.back() && name.ends_with(ending); };
     const std::vector<std::string_view>& beginnings = beginnings_[index(name.front())];
-    return names_.contains(name) || std::any_of(beginnings.begin(), beginnings.end(), begins) ||
-           std::any_of(endings_.begin(), endings_.end(), ends);
+    return names_.contains(name) || std::any_of(beginnings.begin(), beginnings.end(), begins);
   }
 
  private:
@@ -88,7 +84,6 @@ class NameSet {
 
   Words names_;
   std::array<std::vector<std::string_view>, 256> beginnings_;  // by the first character
-  std::vector<std::string_view> endings_;
 };
 
 }  // namespace
