@@ -2,7 +2,7 @@
 
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -73,11 +73,9 @@ class Chain {
 
   ContactMotion at_end(const Vector3& position, const std::string& frame) const {
     const PointMotion contact = link_.at_point(position);
-    if (trace_.graph.keeps_names()) {
-      describe(position, frame + "_p");
-      describe(contact.v, frame + "_v");
-      describe(contact.a, frame + "_a");
-    }
+    described("p", frame, position);
+    described("v", frame, contact.v);
+    described("a", frame, contact.a);
     ContactMotion result{{}, position, {}};
     for (const MovingAxis& axis : axes_) result.columns.push_back(column_of(axis, contact));
     if (!trace_.tree.floating_base) return result;
@@ -121,11 +119,10 @@ class Chain {
   bool is_single(const MovingAxis& axis) const { return !joint_of(trace_, axis.joint).is_spherical(); }
 
   void describe_axis(const MovingAxis& axis) const {
-    if (!trace_.graph.keeps_names()) return;
     const std::string& name = trace_.tree.joints[at(axis.joint)].name;
-    describe(axis.S, name + "_axis");
-    describe(axis.rate, name + "_axis_d");
-    describe(axis.second_rate, name + "_axis_dd");
+    described({name, "axis"}, axis.S);
+    described({name, "axis_d"}, axis.rate);
+    described({name, "axis_dd"}, axis.second_rate);
   }
 };
 

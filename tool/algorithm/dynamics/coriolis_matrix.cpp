@@ -9,7 +9,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/spread.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -31,10 +31,9 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
   c(base + index, base + index) = project(joint, wrench);
   const std::string& moving = tree.joints[at(index)].name;
   const auto describe_all = [&](const std::string& link_name) {
-    describe(wrench, moving + "_" + link_name);
-    describe(row.Q.moment, moving + "_" + link_name + "_Qn");
-    describe(row.Q.linear, moving + "_" + link_name + "_Qf");
-    describe(row.e, moving + "_" + link_name + "_e");
+    described(at_link(moving, link_name), wrench);
+    described(at_link(moving, link_name, "Q"), row.Q);
+    described("e", at_link(moving, link_name), row.e);
   };
   describe_all(name);
   const RotorPath path = rotor_path(tree, index);
@@ -53,8 +52,8 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     joint = robot.joint(parent);
     c(base + parent, base + index) = project(joint, wrench);
     c(base + index, base + parent) = project(joint, on_fields_of_link(row, bodies.w[at(joint.child)]));
-    describe(c(base + parent, base + index), "C_" + tree.joints[at(parent)].name + "_" + moving);
-    describe(c(base + index, base + parent), "C_" + moving + "_" + tree.joints[at(parent)].name);
+    described(coordinates("C", tree.joints[at(parent)].name, moving), c(base + parent, base + index));
+    described(coordinates("C", moving, tree.joints[at(parent)].name), c(base + index, base + parent));
     describe_all(robot.link_name(joint.child));
   }
   if (!tree.floating_base) return;
@@ -66,8 +65,8 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     c(base + index, 3 + k) = on_base.linear[at(k)];
     for (const int r : {k, 3 + k}) {
       const std::string coordinate = coordinate_names(tree)[at(r)];
-      describe(c(r, base + index), "C_" + coordinate + "_" + moving);
-      describe(c(base + index, r), "C_" + moving + "_" + coordinate);
+      described(coordinates("C", coordinate, moving), c(r, base + index));
+      described(coordinates("C", moving, coordinate), c(base + index, r));
     }
   }
 }
@@ -113,7 +112,7 @@ void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatri
       c(3 + r, 3 + k) = sliding_force[row];
       const std::vector<std::string> names = coordinate_names(robot.tree());
       for (const int i : {r, 3 + r})
-        for (const int j : {k, 3 + k}) describe(c(i, j), "C_" + names[at(i)] + "_" + names[at(j)]);
+        for (const int j : {k, 3 + k}) described(coordinates("C", names[at(i)], names[at(j)]), c(i, j));
     }
   }
 }

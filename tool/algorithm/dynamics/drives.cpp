@@ -2,7 +2,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -102,7 +102,7 @@ std::vector<Expression> forces_of_drives(
     forces[j] = trace.lift(joint.drive.damping) * qd[j] + friction(trace, joint.drive, qd[j]);
     if (!joint.drive.stiffness.is_zero())
       forces[j] += trace.lift(joint.drive.stiffness) * (q[j] - trace.lift(joint.drive.rest));
-    describe(forces[j], joint.name + "_passive");
+    described("passive", joint.name, forces[j]);
   }
   return forces;
 }

@@ -17,7 +17,7 @@
 #include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/spread.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -229,7 +229,7 @@ class JointWalks {
 
   void set(Columns& columns, const char* by, int row, int column, const Expression& value) {
     columns[at(column)][at(base_ + row)] = value;
-    describe(value, "dtau_" + names_[at(base_ + row)] + "_" + by + "_" + names_[at(base_ + column)]);
+    described(coordinates("dtau", names_[at(base_ + row)], names_[at(base_ + column)], {}, by), value);
   }
 
   // Sets the derivatives of the force of a joint below, or of the walking joint's own force, by the motion of the
@@ -262,12 +262,11 @@ class JointWalks {
   }
 
   void describe_walk(const Walk& walk, const ChangeOfMotion& row, const std::string& link) const {
-    if (!robot_.trace.graph.keeps_names()) return;
     const std::string& moving = robot_.tree().joints[at(walk.joint)].name;
-    describe(walk.by_position, moving + "_" + link + "_dq");
-    describe(walk.by_velocity, moving + "_" + link + "_dqd_half");
-    describe(row.Q, moving + "_" + link);
-    describe(row.e, moving + "_" + link + "_e");
+    described(at_link(moving, link, "dq"), walk.by_position);
+    described(at_link(moving, link, "dqd_half"), walk.by_velocity);
+    described(at_link(moving, link), row.Q);
+    described("e", at_link(moving, link), row.e);
   }
 };
 

@@ -5,7 +5,7 @@
 #include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -45,14 +45,12 @@ HeldRobot hold(const TracedRobot& robot, const Vector3& gravity) {
       const std::string& child = robot.link_name(joint.child);
       const Pose& X_PC = robot.pose(joint.index);
       trace.section(child, "link ", ": gravity and first moment");
-      const Vector3 child_lift = to_child(X_PC.rotation, lift);
-      algorithm::name(trace.graph, child_lift, child + "_a");
+      const Vector3 child_lift = named("a", child, to_child(X_PC.rotation, lift));
       PointMass body = visit(joint.child, child_lift);
-      algorithm::name(trace.graph, body.moment, child + "_h");
+      named("h", child, body.moment);
       held.tau[at(joint.index)] = project(joint, wrench_of(body, child_lift));
       body.moment[2] += body.mass * X_PC.slide;
-      const Vector3 turned = to_parent(X_PC.rotation, body.moment);
-      describe(turned, child + "_h", "_P");
+      const Vector3 turned = described("h", in_parent(child), to_parent(X_PC.rotation, body.moment));
       total.moment += turned + body.mass * X_PC.offset;
       total.mass += body.mass;
     }

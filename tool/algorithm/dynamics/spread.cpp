@@ -1,7 +1,7 @@
 #include "algorithm/dynamics/spread.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -65,29 +65,29 @@ void SpreadBodies::collect(int link, const Vector3& velocity) {
   w[at(link)] = velocity;
   const MassProperties& own = robot_.mass(link);
   spread[at(link)] = {cross(velocity, own.first_moment), spread_of_rigid_body(velocity, own.pseudo_inertia)};
-  describe(spread[at(link)].l, robot_.link_name(link) + "_own_l");
-  describe(spread[at(link)].K, robot_.link_name(link) + "_own_K");
+  described("l", {robot_.link_name(link), "own"}, spread[at(link)].l);
+  described("K", {robot_.link_name(link), "own"}, spread[at(link)].K);
   for (const Joint& joint : robot_.children(link)) {
     const std::string& name = robot_.link_name(joint.child);
     robot_.trace.section(name, "link ", ": velocity and spread");
     const Pose& X_PC = robot_.pose(joint.index);
     Vector3 turning = to_child(X_PC.rotation, velocity), sliding;
     add_rates(joint, qd_, turning, sliding);
-    algorithm::name(robot_.trace.graph, turning, name + "_w");
+    named("w", name, turning);
     OriginRate& rate = rates[at(joint.index)];
     rate = {cross(velocity, X_PC.offset), X_PC.slide * rate_of_z(turning) + sliding};
     collect(joint.child, turning);
     if (!robot_.parent_matters(joint.child)) continue;
-    describe(rate.offset, name + "_rd");
-    describe(rate.slide, name + "_sd");
+    described("rd", name, rate.offset);
+    described("sd", name, rate.slide);
     const Spread seen = to_parent(X_PC, rate, composite[at(joint.child)], spread[at(joint.child)]);
-    describe(seen.l, name + "_l", "_P");
-    describe(seen.K, name + "_K", "_P");
+    described("l", in_parent(name), seen.l);
+    described("K", in_parent(name), seen.K);
     spread[at(link)].l += seen.l;
     spread[at(link)].K = spread[at(link)].K + seen.K;
   }
-  describe(spread[at(link)].l, robot_.link_name(link) + "_l");
-  describe(spread[at(link)].K, robot_.link_name(link) + "_K");
+  described("l", robot_.link_name(link), spread[at(link)].l);
+  described("K", robot_.link_name(link), spread[at(link)].K);
 }
 
 Vector3 multiply_by_spread(const Matrix3& K, const Vector3& v) {

@@ -9,7 +9,7 @@
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -29,9 +29,8 @@ FreeRobot free_robot(const TracedRobot& robot, const StateInputs& in, const Load
   const LinkMotion base = base_motion(in.base_velocity, {}, load.gravity);
   FreeRobot result{newton_euler_forces(robot, base, in.qd, in.qdd, &load), composite_bodies(robot), {}};
   robot.trace.section(robot.link_name(0), "base: acceleration");
-  result.acceleration = free_acceleration(rigid_body_inertia(result.composite[0]), result.forces.base_wrench);
-  algorithm::name(robot.trace.graph, result.acceleration.angular, "base_acceleration_w");
-  algorithm::name(robot.trace.graph, result.acceleration.linear, "base_acceleration_v");
+  result.acceleration = named(
+      {"base", "acceleration"}, free_acceleration(rigid_body_inertia(result.composite[0]), result.forces.base_wrench));
   return result;
 }
 
@@ -92,7 +91,7 @@ void release_base(HeldDerivatives& held) {
     for (std::size_t j = 0; j < count; ++j) {
       std::vector<Expression> missing;
       for (std::size_t k = 0; k < 6; ++k) missing.push_back(-block[j][k]);
-      right.push_back({"_" + by + std::to_string(j), std::move(missing)});
+      right.push_back({by + std::to_string(j), std::move(missing)});
       columns.push_back(&block[j]);
     }
   };
@@ -191,7 +190,7 @@ symbolic::Program released_column(const model::KinematicTree& tree, const std::s
   x.insert(x.end(), b.begin() + 6, b.end());
   for (std::size_t k = 0; k < 6; ++k)
     for (std::size_t row = 6; row < x.size(); ++row) x[row] += *next++ * x[k];
-  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + names[k]);
+  describe_elements("x", names, x);
   trace.output("x", Role::value, x);
   return trace.program(name);
 }

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "algorithm/identification/regressor.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -60,12 +60,10 @@ Program energy_regressor(
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link ", ": velocity, gravity and energies");
       const Pose& X_PC = robot.pose(joint.index);
-      const Motion moved = across_joint(joint, X_PC, twist, in.qd);
-      algorithm::name(trace.graph, moved.angular, child + "_w");
-      algorithm::name(trace.graph, moved.linear, child + "_v");
+      const Motion moved = named(child, across_joint(joint, X_PC, twist, in.qd));
       const Lift lifted = to_child(X_PC, lift);
-      describe(lifted.gravity, child + "_g");
-      describe(lifted.height, child + "_height");
+      described("g", child, lifted.gravity);
+      described("height", child, lifted.height);
       visit(joint.child, moved, lifted);
     }
   };

@@ -88,7 +88,7 @@ class Placing {
         Reached here = links_[at(link)];
         advance_along(trace_, graph_, link_frame(link), link_frame(child), q_, here);
         forget(here);
-        name_reached(trace_.graph, here, tree.links[at(child)].name);
+        name_reached(here, tree.links[at(child)].name);
         links_[at(child)] = std::move(here);
         open.push_back(child);
       }

@@ -77,7 +77,7 @@ Reached walk(
     advance(here, pose_of(trace, segment, variables));
     if (segment.subject.empty()) continue;
     behind(segment, here);
-    name_reached(trace.graph, here, segment.subject);
+    name_reached(here, segment.subject);
   }
   return here;
 }

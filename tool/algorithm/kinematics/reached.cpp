@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithm/spatial/named.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -226,11 +227,9 @@ Program cheapest_transform(TransformForm form, int tail, const std::function<Pro
   return best;
 }
 
-void name_reached(Graph& graph, const Reached& here, const std::string& subject) {
-  const char* axes = "xyz";
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t c = 0; c < 3; ++c) graph.name(here.rotation[r][c], subject + "_R" + axes[r] + axes[c]);
-  name(graph, here.position, subject + "_p");
+void name_reached(const Reached& here, const std::string& subject) {
+  named("R", subject, here.rotation);
+  named("p", subject, here.position);
 }
 
 Vector3 column(const Matrix3& m, std::size_t k) {

@@ -44,7 +44,7 @@ symbolic::Program cheapest_transform(
     const std::function<symbolic::Program(int moment_from)>& make);
 
 // Names the elements `<subject>_Rxy` and `<subject>_px`.
-void name_reached(Graph& graph, const Reached& here, const std::string& subject);
+void name_reached(const Reached& here, const std::string& subject);
 
 // Column k of m.
 Vector3 column(const Matrix3& m, std::size_t k);

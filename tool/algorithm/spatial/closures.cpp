@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithm/spatial/named.h"
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -14,7 +15,7 @@ std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closur
   auto result = closure.method == Method::planar ? traced_in_plane(trace, closure, q, Positions::solved)
                                                  : traced_distance(trace, closure, q, Positions::solved);
   for (const int joint : closure.dependents)
-    trace.graph.describe(q[at(joint)], "q_" + trace.tree.joints[at(joint)].name);
+    described(coordinate("q", trace.tree.joints[at(joint)].name), q[at(joint)]);
   return result;
 }
 
@@ -64,7 +65,7 @@ const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
     for (std::size_t d = 0; d < rates_.size(); ++d) {
       rates_[d].push_back({column.joint, -moved[d]});
       const std::string& follower = trace_.tree.joints[at(closure_.dependents[d])].name;
-      trace_.graph.describe(rates_[d].back().factor, "d_" + follower + "_" + trace_.tree.joints[at(column.joint)].name);
+      described(coordinates("d", follower, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
     }
   }
   return rates_;

@@ -1,6 +1,6 @@
 #include "algorithm/spatial/joint.h"
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -195,7 +195,7 @@ LinkMotion carried_motion(const Pose& X_PC, const LinkMotion& parent) {
   const Vector3 w = to_child(X_PC.rotation, parent.angular.w);
   const Vector3 wd = to_child(X_PC.rotation, parent.angular.wd);
   const Vector3 carried = parent.a + multiply_u(parent.angular, X_PC.offset);
-  if (const Graph* graph = carried[0].graph()) describe(carried, graph->subject() + "_a", "_P");
+  if (const Graph* graph = carried[0].graph()) described("a", in_parent(graph->subject()), carried);
   return {{w, wd}, to_child(X_PC.rotation, carried)};
 }
 

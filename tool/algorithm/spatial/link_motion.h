@@ -7,7 +7,7 @@
 // 5, in the notation of ch. 2 split into 3-vectors.)
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithm/spatial/mass_properties.h"
@@ -17,8 +17,8 @@ namespace robcogen::algorithm {
 struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
-  // The link after which elements of U and products of w are named (symbolic::Graph::describe); empty: no names.
-  std::string link = {};
+  // The link to which elements of U and products of w belong, if their quantities are given; refers to its name.
+  std::string_view link = {};
 
   // An element of U, created on demand so that the costs of different forms of the moment can be compared.
   Expression u(std::size_t row, std::size_t column) const;

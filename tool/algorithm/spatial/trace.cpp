@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algorithm/spatial/named.h"
+#include "support/concat.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -16,12 +18,30 @@ namespace {
 
 const std::vector<std::string> kAxes = {"x", "y", "z"};
 
-std::vector<std::string> spatial_elements(Role role, const std::string& prefix = "") {
-  const bool wrench = role == Role::base_wrench || role == Role::link_wrenches;
+std::vector<std::string> spatial_elements() {
   std::vector<std::string> names;
-  for (const char* part : {wrench ? "n" : "w", wrench ? "f" : "v"})
-    for (const std::string& axis : kAxes) names.push_back(prefix + part + axis);
+  for (const char* part : {"w", "v"})
+    for (const std::string& axis : kAxes) names.push_back(part + axis);
   return names;
+}
+
+// The elements of q with these labels; elements of quaternions belong to their joints.
+std::vector<symbolic::QuantityRef> position_quantities(
+    const model::KinematicTree& tree,
+    const std::vector<std::string>& labels) {
+  std::vector<symbolic::Quantity> elements;
+  for (const std::string& label : labels) {
+    symbolic::Quantity& element = elements.emplace_back(symbolic::Quantity{label, "q"});
+    element.of_coordinates = true;
+  }
+  const std::vector<int> places = tree.position_elements();
+  for (const int first : tree.spherical_joints())
+    for (std::size_t i = 0; i < 4; ++i)
+      elements[at(places[at(first)]) - 1 + i] = {tree.joints[at(first)].declared_name(), std::string(1, "wxyz"[i])};
+  std::vector<symbolic::QuantityRef> result;
+  for (symbolic::Quantity& element : elements)
+    result.push_back(std::make_shared<const symbolic::Quantity>(std::move(element)));
+  return result;
 }
 
 }  // namespace
@@ -53,6 +73,17 @@ std::vector<Expression> ProgramTrace::input(const std::string& name, Role role, 
   return values;
 }
 
+std::vector<Expression> ProgramTrace::quantity_input(
+    const std::string& name,
+    Role role,
+    const std::vector<symbolic::QuantityRef>& elements) {
+  std::vector<std::string> labels;
+  for (const symbolic::QuantityRef& element : elements) labels.push_back(text(*element));
+  const std::vector<Expression> values = input(name, role, std::move(labels));
+  inputs_.back().quantities = elements;
+  return values;
+}
+
 std::vector<Expression> Trace::coordinate_input(const std::string& name, Role role) {
   std::vector<std::string> names;
   for (const int joint : tree.coordinates()) names.push_back(tree.joints[at(joint)].name);
@@ -65,6 +96,7 @@ std::vector<Expression> Trace::position_input(const std::string& name) {
   for (const int first : tree.spherical_joints()) quaternions.push_back(elements[at(first)] - 1);
   const std::vector<Expression> given = input(name, Role::joint_position, model::position_names(tree));
   inputs_.back().quaternions = quaternions;
+  if (!quaternions.empty()) inputs_.back().quantities = position_quantities(tree, inputs_.back().elements);
   inputs_.back().followers = static_cast<int>(tree.followers_in_q().size());
   std::vector<Expression> positions;
   for (const int joint : tree.coordinates()) positions.push_back(given[at(elements[at(joint)])]);
@@ -98,7 +130,7 @@ std::vector<Expression> Trace::by_joint(
     Expression& value = joints[at(coupling.joint)];
     for (const model::Coupling::Term& term : coupling.terms) value += lift(term.factor) * joints[at(term.joint)];
     if (role == Role::joint_position) value += lift(coupling.offset);
-    graph.describe(value, name + "_" + follower);
+    described(coordinate(name, follower), value);
   }
   if (role == Role::joint_position) closures_.clear(), rates_.clear();
   for (std::size_t k = 0; k < tree.closures.size(); ++k) follow(k, role, joints);
@@ -233,18 +265,19 @@ Vector3 Trace::vector_input(const std::string& name, Role role) {
 }
 
 Motion Trace::motion_input(const std::string& name, Role role) {
-  const std::vector<Expression> v = input(name, role, spatial_elements(role));
+  const std::vector<Expression> v = input(name, role, spatial_elements());
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 std::vector<Force> Trace::link_wrench_input() {
-  std::vector<std::string> names;
+  std::vector<symbolic::QuantityRef> elements;
   for (const model::Link& link : tree.links) {
     if (link.is_repeated) continue;
-    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_"))
-      names.push_back(std::move(element));
+    for (const char* part : {"n", "f"})
+      for (const std::string& axis : kAxes)
+        elements.push_back(std::make_shared<const symbolic::Quantity>(symbolic::Quantity{link.name, part, axis}));
   }
-  const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
+  const std::vector<Expression> v = quantity_input("external", Role::link_wrenches, elements);
   std::vector<Force> wrenches(tree.links.size());
   std::size_t i = 0;
   for (std::size_t link = 0; link < wrenches.size(); ++link) {
@@ -291,6 +324,10 @@ void ProgramTrace::section(const std::string& subject, const std::string& title)
 
 void ProgramTrace::section(const std::string& subject, const char* before, const char* after) {
   if (graph.keeps_names()) graph.begin_section(before + subject + after, subject);
+}
+
+void ProgramTrace::section(const std::string& subject, std::initializer_list<std::string_view> title) {
+  if (graph.keeps_names()) graph.begin_section(concat(title), subject);
 }
 
 Expression ProgramTrace::lift(const Quantity& q, const std::vector<Expression>& variables) {
