@@ -1,5 +1,6 @@
-// The articulated-body algorithm in two parts: the wrenches at zero joint and base acceleration by Newton-Euler, then a
-// homogeneous pass for the contribution of the accelerations. No velocity term remains in the second part.
+// The articulated-body algorithm (Featherstone 2008, table 7.1) in two parts. The pass down and up computes velocities,
+// the wrench of each link at zero joint and base acceleration (recursive Newton-Euler), and articulated inertias. The
+// second pass down computes accelerations relative to those of the first part; it has no velocity terms.
 #include "algorithm/dynamics/articulated_body.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
@@ -9,11 +10,11 @@
 namespace robcogen::algorithm {
 namespace {
 
-// What the passes store for a joint.
+// What the second pass needs of a joint, in the notation of Featherstone.
 struct JointState {
   Force U;               // articulated inertia times the joint's motion subspace S
   Expression inverse_D;  // 1 / (S' U + inertia of the drive)
-  Expression u;          // tau minus the force that the bias motion needs
+  Expression u;          // tau minus the joint force at zero acceleration
   Vector3 rotor;         // momentum of the rotor at unit rate, in axes of the parent, which carries it
 };
 
@@ -29,7 +30,8 @@ class ArticulatedBodies {
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
       : robot_(robot), in_(in), load_(load), joints_(in.tau.size()), zeros_(in.tau.size()) {}
 
-  // Passes velocities down from a link to all beyond it, and collects their inertias and bias wrenches on the way up.
+  // Passes velocities down from a link to all links beyond it. On the way up, sets the articulated inertia and the bias
+  // wrench of the link.
   void collect(int link, const LinkMotion& motion, SpatialInertia& inertia, Force& bias) {
     const std::string& name = robot_.link_name(link);
     SpatialInertia children_inertia;
@@ -37,22 +39,22 @@ class ArticulatedBodies {
     for (const Joint& joint : robot_.children(link)) collect_child(joint, motion, children_inertia, children_bias);
     if (robot_.is_base(link) && !robot_.floating()) return;
     robot_.trace.section(name, "link ", ": articulated inertia and bias wrench");
-    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, in_.qd, {}));
+    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, rotor_motions_on(robot_, link, in_.qd, {}));
     robot_.subtract_external(load_, link, own);
     bias = named(name, children_bias + described({name, "own"}, own));
     inertia = named(name, children_inertia + rigid_body_inertia(robot_.mass(link)));
   }
 
-  // Passes accelerations down from a link to all beyond it.
+  // Passes accelerations down from a link to all links beyond it.
   void accelerate(int link, const Motion& parent) {
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link ", ": acceleration");
       Motion a = described_acceleration({name, "", "carried"}, acceleration_to_child(robot_.pose(joint.index), parent));
       const JointState& state = joints_[at(joint.index)];
-      // If the component of `a` along the axis is left out of the product, the result is the link's own component,
-      // joint acceleration included. This does not hold if the drive has inertia, which only the joint acceleration
-      // moves.
+      // Without a drive inertia D = S' U. Then u - U' a, with a = a_0 + S s and its component s along the joint left
+      // out, is D (s + qdd): one product with U gives the sum of both. A drive inertia accelerates by qdd alone, so
+      // that s is needed in the product.
       if (has_drive_inertia(joint)) {
         const Expression felt = dot(state.U, a) + dot(state.rotor, parent.angular);
         qdd[at(joint.index)] = (state.u - felt) * state.inverse_D;
@@ -76,7 +78,8 @@ class ArticulatedBodies {
 
   bool has_drive_inertia(const Joint& joint) const { return robot_.tree().joints[at(joint.index)].drive.has_inertia(); }
 
-  // The momentum of the joint's rotor if its path ends at the parent; zero on a fixed base, which does not turn.
+  // The momentum at unit rate of the joint's rotor, in the parent that carries the rotor; zero if another link carries
+  // it, and on a fixed base, which does not turn.
   Vector3 coupling_of_rotor(const Joint& joint) const {
     const int parent = robot_.tree().joints[at(joint.index)].parent;
     if (robot_.is_base(parent) && !robot_.floating()) return {};
@@ -85,7 +88,8 @@ class ArticulatedBodies {
 
   static bool are_zero(const Vector3& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
-  // Adds what a joint passes on to a parent that carries its rotor: the rotor acts in the axes of the parent.
+  // Adds the inertia and the bias wrench of a child to those of a parent that carries the rotor of the joint. The
+  // rotor acts in the axes of the parent, so that U does, too.
   void pass_with_rotor(
       const Joint& joint,
       const SpatialInertia& x,

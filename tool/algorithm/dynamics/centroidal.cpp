@@ -51,7 +51,7 @@ Force unit_momentum(const WholeBody& body, int joint) {
 }
 
 // The same when one coordinate moves, with the joints that it moves.
-Force unit_momentum(const WholeBody& body, const std::vector<Share>& moved) {
+Force unit_momentum(const WholeBody& body, const std::vector<MovedJoint>& moved) {
   return sum_of(moved, [&](int joint) { return unit_momentum(body, joint); });
 }
 
@@ -67,7 +67,7 @@ std::vector<Vector3> velocity_columns(const WholeBody& body) {
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(cross(unit_vector(trace.graph, k), body.com));
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(unit_vector(trace.graph, k));
   }
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     columns.push_back(body.per_mass * unit_momentum(body, moved).linear);
   return columns;
 }
@@ -88,7 +88,7 @@ std::vector<Force> momentum_columns(const WholeBody& body) {
     }
     for (std::size_t k = 0; k < 3; ++k) columns.push_back({{}, body.total.mass * unit_vector(trace.graph, k)});
   }
-  for (const std::vector<Share>& moved : shares(trace)) {
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     const Force momentum = unit_momentum(body, moved);
     columns.push_back({momentum.moment - cross(body.com, momentum.linear), momentum.linear});
   }
@@ -105,7 +105,7 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
   const std::string& name = robot.link_name(link);
   robot.trace.section(name, "link ", ": rate of momentum");
   const LinkMotion& motion = motions[at(link)];
-  total += link_wrench(robot.trace, robot.mass(link), motion, spins_on(robot, link, in.qd, {}));
+  total += link_wrench(robot.trace, robot.mass(link), motion, rotor_motions_on(robot, link, in.qd, {}));
   return described({name, "rate"}, total);
 }
 

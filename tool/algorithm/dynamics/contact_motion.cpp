@@ -43,7 +43,7 @@ class Chain {
   }
 
   // Passes one joint, or the components of a spherical one.
-  void pass(const std::vector<JointOnPath>& joints, const Reached& here) {
+  void pass(const std::vector<JointOnPath>& joints, const PathPose& here) {
     const PointMotion before = link_.at_point(here.position);
     Vector3 relative;  // angular velocity, and its rate in axes of the link before
     PointMotion behind = before;
@@ -172,8 +172,8 @@ void add_force_derivatives(
 ContactMotion contact_motion(Trace& trace, const StateInputs& in, const model::Frame& frame) {
   Chain chain(trace, in);
   const Path path = path_between(trace.tree, {trace.tree.frames().front(), frame});
-  const Reached end = walk(
-      trace, path, in.q, [&](const PathSegment& segment, const Reached& here) { chain.pass(segment.joints, here); });
+  const PathPose end = walk(
+      trace, path, in.q, [&](const PathSegment& segment, const PathPose& here) { chain.pass(segment.joints, here); });
   trace.section(frame.name, "contact ", ": how its motion changes");
   return chain.at_end(end.position, frame.name);
 }
@@ -197,7 +197,7 @@ ContactRows contact_rows(Trace& trace, const ContactFrames& contacts, const std:
     }
     std::vector<Motion> by_joint(trace.tree.joints.size());
     for (const ContactColumn& c : motion.columns) by_joint[at(c.joint)] = c.column;
-    for (const std::vector<Share>& moved : shares(trace))
+    for (const std::vector<MovedJoint>& moved : moved_joints(trace))
       of_contact.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   }
   return {contacts, columns};
@@ -220,7 +220,7 @@ Columns by_coordinate(
   }
   if (trace.tree.couplings.empty()) return by_joint;
   Columns result;
-  for (const std::vector<Share>& moved : shares(trace)) {
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     std::vector<Expression>& column = result.emplace_back();
     for (std::size_t row = 0; row < rows; ++row)
       column.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)][row]; }));

@@ -51,7 +51,8 @@ class Recursion {
     const std::string& name = robot_.link_name(link);
     robot_.trace.section(name, "link ", ": force and moment");
     const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
-    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, qd_, qdd_), only_moment);
+    Force own =
+        link_wrench(robot_.trace, robot_.mass(link), motion, rotor_motions_on(robot_, link, qd_, qdd_), only_moment);
     if (loads_) robot_.subtract_external(*loads_, link, own);
     for (const TracedRotor& rotor : rotors_on(robot_, link))
       result.tau[at(rotor.joint)] += dot(rotor.momentum, motion.angular.wd);

@@ -89,7 +89,7 @@ class TracedActuators {
   // The origin of `other` in `frame`, in which it does not move.
   Vector3 point_in(const Frame& frame, const Frame& other) {
     const Path path = path_between(trace_.tree, {frame, other});
-    return walk(trace_, path, q_, [](const PathSegment&, const Reached&) {}).position;
+    return walk(trace_, path, q_, [](const PathSegment&, const PathPose&) {}).position;
   }
 };
 

@@ -40,7 +40,7 @@ std::vector<Vector3> from_point(Trace& trace, const std::vector<Expression>& q, 
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(cross(unit_vector(trace.graph, k), point));
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(unit_vector(trace.graph, k));
   }
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     columns.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   return columns;
 }

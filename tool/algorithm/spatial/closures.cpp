@@ -55,7 +55,7 @@ const DependentColumns& TracedClosure::dependent_columns() {
   return dependent_columns_.emplace(trace_.graph, dependent);
 }
 
-const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
+const std::vector<std::vector<RateTerm>>& TracedClosure::rates() {
   if (!rates_.empty()) return rates_;
   const DependentColumns& dependent = dependent_columns();
   rates_.resize(closure_.dependents.size());
@@ -64,8 +64,8 @@ const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
     const std::vector<Expression> moved = dependent.solve(column.rows);
     for (std::size_t d = 0; d < rates_.size(); ++d) {
       rates_[d].push_back({column.joint, -moved[d]});
-      const std::string& follower = trace_.tree.joints[at(closure_.dependents[d])].name;
-      described(coordinates("d", follower, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
+      const std::string& dependent = trace_.tree.joints[at(closure_.dependents[d])].name;
+      described(coordinates("d", dependent, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
     }
   }
   return rates_;

@@ -17,18 +17,18 @@ enum class MomentForm {
 
 // w x momentum * rate. A constant momentum with three components is taken in multiples of its largest one, which saves
 // a product.
-Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
-  const Vector3& momentum = spin.momentum;
+Vector3 gyroscopic_moment(const Vector3& w, const RotorMotion& rotor) {
+  const Vector3& momentum = rotor.momentum;
   std::size_t largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (momentum[i].is_zero() || !momentum[i].is_constant()) return cross(w, spin.rate * momentum);
+    if (momentum[i].is_zero() || !momentum[i].is_constant()) return cross(w, rotor.rate * momentum);
     const auto size = [&](std::size_t k) { return std::abs(momentum[k].number().value()); };
     if (size(i) > size(largest)) largest = i;
   }
   const Expression& unit = momentum[largest];
   Vector3 direction;
   for (std::size_t i = 0; i < 3; ++i) direction[i] = i == largest ? unit.graph()->one() : momentum[i] / unit;
-  const Expression rate = unit * spin.rate;
+  const Expression rate = unit * rotor.rate;
   return cross(rate * w, direction);
 }
 
@@ -140,7 +140,7 @@ Force link_wrench(
     Trace& trace,
     const MassProperties& m,
     const LinkMotion& motion,
-    const std::vector<Spin>& spins,
+    const std::vector<RotorMotion>& rotors,
     bool only_z_moment) {
   Force wrench;
   if (!only_z_moment) {
@@ -149,9 +149,9 @@ Force link_wrench(
   }
   wrench.moment = cheapest_moment(trace.graph, m, motion.angular, [&](Vector3 n) {
     n += cross(m.first_moment, motion.a);
-    for (const Spin& spin : spins) {
-      n += spin.acceleration * spin.momentum;
-      n += gyroscopic_moment(motion.angular.w, spin);
+    for (const RotorMotion& rotor : rotors) {
+      n += rotor.acceleration * rotor.momentum;
+      n += gyroscopic_moment(motion.angular.w, rotor);
     }
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
   });

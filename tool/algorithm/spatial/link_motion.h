@@ -36,22 +36,22 @@ struct LinkMotion {
 // The motion of a base with this twist and spatial acceleration; gravity is part of the result.
 LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
 
-// A part that spins in a link, in addition to the motion of the link: its momentum is `momentum` times `rate`, in link
-// axes, and takes the moment momentum * acceleration + w x (momentum * rate).
-struct Spin {
+// The motion of a rotor relative to the link that carries it: its momentum is `momentum` times `rate`, in link axes,
+// and takes the moment momentum * acceleration + w x (momentum * rate).
+struct RotorMotion {
   Vector3 momentum;
   Expression rate;
   Expression acceleration;
 };
 
-// The wrench about the link's origin that gives the link this motion, including the moment that its spins take. Of
+// The wrench about the link's origin that gives the link this motion, including the moment that its rotors take. Of
 // equivalent forms of the moment, the one that adds the fewest operations to the existing ones is used. With
 // `only_z_moment` only that component is computed.
 Force link_wrench(
     Trace& trace,
     const MassProperties& m,
     const LinkMotion& motion,
-    const std::vector<Spin>& spins = {},
+    const std::vector<RotorMotion>& rotors = {},
     bool only_z_moment = false);
 
 }  // namespace robcogen::algorithm

@@ -117,20 +117,20 @@ std::vector<Expression> Trace::by_joint(
   std::vector<Expression> joints(tree.joints.size());
   const std::vector<int> independent = tree.coordinates();
   for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
-  const std::vector<int> followers = role == Role::joint_position ? tree.followers_in_q() : std::vector<int>();
+  const std::vector<int> dependents = role == Role::joint_position ? tree.followers_in_q() : std::vector<int>();
   const auto behind = coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size());
-  const auto first_follower = coordinates.end() - static_cast<std::ptrdiff_t>(followers.size());
-  joints.insert(joints.end(), behind, first_follower);
-  for (std::size_t k = 0; k < followers.size(); ++k)
-    joints[at(followers[k])] = first_follower[static_cast<std::ptrdiff_t>(k)];
+  const auto first_dependent = coordinates.end() - static_cast<std::ptrdiff_t>(dependents.size());
+  joints.insert(joints.end(), behind, first_dependent);
+  for (std::size_t k = 0; k < dependents.size(); ++k)
+    joints[at(dependents[k])] = first_dependent[static_cast<std::ptrdiff_t>(k)];
   for (const model::Coupling& coupling : tree.couplings) {
     if (!coupling.is_linear()) continue;
-    const std::string& follower = tree.joints[at(coupling.joint)].name;
-    section(follower, "joint " + follower + ": " + name);
+    const std::string& dependent = tree.joints[at(coupling.joint)].name;
+    section(dependent, "joint " + dependent + ": " + name);
     Expression& value = joints[at(coupling.joint)];
     for (const model::Coupling::Term& term : coupling.terms) value += lift(term.factor) * joints[at(term.joint)];
     if (role == Role::joint_position) value += lift(coupling.offset);
-    described(coordinate(name, follower), value);
+    described(coordinate(name, dependent), value);
   }
   if (role == Role::joint_position) closures_.clear(), rates_.clear();
   for (std::size_t k = 0; k < tree.closures.size(); ++k) follow(k, role, joints);
@@ -164,7 +164,7 @@ void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints
   for (std::size_t d = 0; d < closure.dependents.size(); ++d) {
     Expression& value = joints[at(closure.dependents[d])];
     value = added[d];
-    for (const RateShare& share : rates[d]) value += share.factor * joints[at(share.joint)];
+    for (const RateTerm& share : rates[d]) value += share.factor * joints[at(share.joint)];
   }
 }
 
@@ -199,7 +199,7 @@ std::vector<Expression> Trace::added_by_loops(const std::vector<Expression>& qd,
     for (std::size_t d = 0; d < changes.size(); ++d) {
       Expression& value = added[at(tree.closures[k].dependents[d])];
       value = changes[d];
-      for (const RateShare& share : rates[d]) value += share.factor * added[at(share.joint)];
+      for (const RateTerm& share : rates[d]) value += share.factor * added[at(share.joint)];
     }
   }
   return added;
@@ -216,22 +216,22 @@ std::vector<Expression> Trace::reference_acceleration_input(
   return rates;
 }
 
-const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
+const std::vector<RateTerm>& Trace::rates_of(const model::Coupling& coupling) {
   if (rates_.empty()) rates_.resize(tree.joints.size());
-  std::vector<RateShare>& known = rates_[at(coupling.joint)];
+  std::vector<RateTerm>& known = rates_[at(coupling.joint)];
   if (!known.empty()) return known;
   const model::Closure& closure = tree.closures[at(coupling.closure)];
   const auto place = std::find(closure.dependents.begin(), closure.dependents.end(), coupling.joint);
   const auto d = static_cast<std::size_t>(place - closure.dependents.begin());
   std::map<int, Expression> sums;
-  for (const RateShare& share : closures_.at(at(coupling.closure))->rates()[d]) {
+  for (const RateTerm& share : closures_.at(at(coupling.closure))->rates()[d]) {
     const model::Coupling* given = tree.coupling_of(share.joint);
     if (given == nullptr) {
       sums[share.joint] += share.factor;
     } else if (given->is_linear()) {
       for (const model::Coupling::Term& term : given->terms) sums[term.joint] += share.factor * lift(term.factor);
     } else {
-      for (const RateShare& beyond : rates_of(*given)) sums[beyond.joint] += share.factor * beyond.factor;
+      for (const RateTerm& beyond : rates_of(*given)) sums[beyond.joint] += share.factor * beyond.factor;
     }
   }
   for (const auto& [joint, factor] : sums) known.push_back({joint, factor});

@@ -104,7 +104,7 @@ class Trace : public ProgramTrace {
   // Elements of q, from positions by joint as joint_input returns them.
   std::vector<Expression> positions(const std::vector<Expression>& joints) const;
   // The rate of a joint that follows others through a loop, as a combination of those of coordinates.
-  const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
+  const std::vector<RateTerm>& rates_of(const model::Coupling& coupling);
   // By loop: the force of its second end on its first one (TracedClosure::reaction), from the forces that a motion
   // needs at all joints, at the positions q by joint.
   std::vector<std::vector<Expression>> reactions(const std::vector<Expression>& q, std::vector<Expression> forces);
@@ -118,7 +118,7 @@ class Trace : public ProgramTrace {
  private:
   std::vector<std::unique_ptr<TracedClosure>> closures_;  // at the positions of the trace
   std::vector<Expression> positions_, velocities_;        // by joint
-  std::vector<std::vector<RateShare>> rates_;             // by joint that follows through a loop
+  std::vector<std::vector<RateTerm>> rates_;              // by joint that follows through a loop
 
   std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
