@@ -18,13 +18,6 @@ struct JointState {
   Vector3 rotor;         // momentum of the rotor at unit rate, in axes of the parent, which carries it
 };
 
-// The same as to_child, but with a cross product of the opposite sign. Which of two equal sums is created first decides
-// how later sums can be reordered, and here this one saves an instruction on robots with many joints.
-Motion acceleration_to_child(const Pose& X_PC, const Motion& a_P) {
-  const Vector3 linear = a_P.linear - cross(X_PC.offset, a_P.angular);
-  return to_child(Pose{{}, X_PC.rotation, X_PC.slide}, Motion{a_P.angular, linear});
-}
-
 class ArticulatedBodies {
  public:
   ArticulatedBodies(const TracedRobot& robot, const StateInputs& in, const LoadInputs& load)
@@ -50,7 +43,7 @@ class ArticulatedBodies {
     for (const Joint& joint : robot_.children(link)) {
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link ", ": acceleration");
-      Motion a = described_acceleration({name, "", "carried"}, acceleration_to_child(robot_.pose(joint.index), parent));
+      Motion a = described_acceleration({name, "", "carried"}, to_child(robot_.pose(joint.index), parent));
       const JointState& state = joints_[at(joint.index)];
       // Without a drive inertia D = S' U. Then u - U' a, with a = a_0 + S s and its component s along the joint left
       // out, is D (s + qdd): one product with U gives the sum of both. A drive inertia accelerates by qdd alone, so
