@@ -466,9 +466,9 @@ Library nasty() {
   for (std::size_t k = 0; k < names.size(); ++k) {
     sketch.graph.begin_section("link " + names[k] + " \\", names[k]);
     const Expression value = sin(q[k]) * qd[k] + cos(q[k]);
-    sketch.graph.name(value, names[k]);
+    sketch.graph.name(value, {names[k]});
     tau.push_back(value * (k == 0 ? value : tau.back()));
-    sketch.graph.name(tau.back(), k % 2 == 0 ? "Scalar" : "tau");
+    sketch.graph.name(tau.back(), {k % 2 == 0 ? "Scalar" : "tau"});
   }
   sketch.output("tau", Role::joint_force, static_cast<int>(tau.size()), 1, tau);
   result.functions.push_back(function("inverse_dynamics", "", "inverse_dynamics", "inverse_dynamics", sketch));

@@ -9,8 +9,6 @@
 #include "pass/statements.h"
 #include "support/index.h"
 #include "support/parallel.h"
-#include "support/unique_names.h"
-#include "symbolic/lane_names.h"
 
 namespace robcogen::pass {
 namespace {
@@ -32,8 +30,6 @@ class Core {
     const InputPlace q = place_of(program, Role::joint_position);
     behind_ = static_cast<std::size_t>(q.array - program.inputs.data()) + 1;
     end_ = q.begin + q.size();
-    if (program.has_lanes())
-      for (const Statement& s : program.statements) names_.reserve(s.name);
   }
 
   Program run() {
@@ -75,13 +71,7 @@ class Core {
     s.op = Op::gather;
     s.section = old.section;
     s.width = old.width;
-    std::vector<std::string> labels;
-    for (std::size_t lane = 0; lane < readings_[i].size(); ++lane) {
-      s.lanes.push_back(input(i, lane, false));
-      labels.push_back((old.op == Op::cosine ? cosines_ : sines_).elements[at(readings_[i][lane].angle)]);
-    }
-    names_.release(old.name);
-    s.name = names_.add(symbolic::common_name(labels));
+    for (std::size_t lane = 0; lane < readings_[i].size(); ++lane) s.lanes.push_back(input(i, lane, false));
     return s;
   }
 
@@ -90,7 +80,6 @@ class Core {
   const InputArray &sines_, &cosines_;
   std::size_t behind_ = 0;  // the array after the joint positions
   int end_ = 0;             // the element after them
-  UniqueNames names_;       // of a program with lanes
 };
 
 std::set<int> angles_read(const Readings& readings) {

@@ -12,6 +12,7 @@
 #include "support/unique_names.h"
 #include "symbolic/parameter_values.h"
 #include "symbolic/rebuild.h"
+#include "symbolic/text.h"
 
 namespace robcogen::pass {
 namespace {
@@ -54,6 +55,7 @@ class Derived {
     const auto keep_given = [&](const Operand& o) {
       if (half.is_given(o)) keep(half.values.read(o));
     };
+    const std::vector<std::string> names = symbolic::statement_names(program);
     for (std::size_t i = 0; i < program.statements.size(); ++i) {
       if (!half.follows[i]) {
         for_each_operand(program.statements[i], keep_given);
@@ -61,7 +63,7 @@ class Derived {
       }
       half.values.keep(i);
       const Expression value = half.values.read({Operand::Kind::statement, static_cast<int>(i)});
-      if (!value.is_constant()) names_.insert({value.node(), program.statements[i].name});
+      if (!value.is_constant()) names_.insert({value.node(), names[i]});
     }
     for (const OutputArray& array : program.outputs)
       for (const Operand& o : array.values) keep_given(o);

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/number.h"
 #include "symbolic/constant.h"
 #include "symbolic/program.h"
+#include "symbolic/quantity.h"
 
 namespace robcogen::symbolic {
 
@@ -100,12 +102,15 @@ class Graph {
   bool keeps_names() const { return names_matter_; }
   // Nodes created from now on belong to this section.
   void begin_section(std::string title, std::string prefix);
-  // Gives the value a name unless it has one, or is a constant or an input. If only the negated value is computed, it
-  // is called `<name>_neg`.
-  void name(const Expression& e, const std::string& name);
-  // Like `name`, for a value that passes and back ends may still split or merge into another statement: the name is
-  // used if a statement with this value remains. A name given by `name` replaces it.
-  void describe(const Expression& e, const std::string& name);
+  // Says what the value is, unless that is known, or it is a constant or an input. It becomes a statement of its own.
+  void name(const Expression& e, Quantity quantity) { set_quantity(e, std::move(quantity), true); }
+  // Like `name`, for a value that passes and back ends may still split or merge into another statement: the quantity is
+  // used if a statement with this value remains. A quantity given by `name` replaces it.
+  void describe(const Expression& e, Quantity quantity) { set_quantity(e, std::move(quantity), false); }
+  // The same as the statement of another program.
+  void name(const Expression& e, const Statement& s);
+  // Whether `name` (is_own) or `describe` would have an effect.
+  bool takes_quantity(const Expression& e, bool is_own) const;
   // The subject of the current section: `lowerleg`.
   const std::string& subject() const { return sections_.back().prefix; }
 
@@ -130,12 +135,12 @@ class Graph {
   friend Expression cos(const Expression&);
   friend Expression atan2(const Expression&, const Expression&);
 
-  struct NodeName {
-    std::string text;
-    bool is_own = false;  // given by `name`
+  struct NodeQuantity {
+    QuantityRef quantity;  // of the node, which has no sign
+    bool is_own = false;   // given by `name`
   };
 
-  void set_name(const Expression& e, const std::string& name, bool is_own);
+  void set_quantity(const Expression& e, Quantity quantity, bool is_own);
   std::uint32_t hash(const Node& n) const;
   // Whether both nodes are the same operation, input or constant.
   bool is_same(const Node& m, const Node& n) const;
@@ -168,7 +173,7 @@ class Graph {
   bool names_matter_ = true;
   std::vector<Node> nodes_;
   std::vector<Constant> constants_;
-  std::vector<NodeName> names_;  // up to the last node that has one
+  std::vector<NodeQuantity> quantities_;  // up to the last node that has one
   std::vector<Section> sections_;
   std::vector<std::size_t> section_starts_;  // by section: its first node, or the next one if it has none
   // A hash table of the nodes: open addressing, at most half full, -1 for an empty slot. The last node can be removed

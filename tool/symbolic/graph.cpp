@@ -1,12 +1,12 @@
-// The nodes of a graph, their names, and the program that computes some of them.
+// The nodes of a graph, their quantities, and the program that computes some of them.
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
-#include <unordered_map>
+#include <utility>
 
 #include "support/index.h"
-#include "support/unique_names.h"
 #include "symbolic/expression.h"
 
 namespace robcogen::symbolic {
@@ -14,26 +14,6 @@ namespace {
 
 // The number of nodes that suffices for most programs in the search for link frames. A power of two.
 constexpr std::size_t kUsualNodes = 2048;
-
-// Makes the names of statements unique, and numbers statements without a name under the prefix of their section.
-void name_statements(Program& p) {
-  UniqueNames used;
-  for (const bool is_own : {true, false})
-    for (Statement& s : p.statements)
-      if (has_meaning(s) && s.named == is_own) s.name = used.add(s.name);
-  // Two numbered names always differ.
-  std::unordered_map<std::string, int> next_number;
-  std::vector<int*> next_of_section;
-  for (const Section& section : p.sections) next_of_section.push_back(&next_number[section.prefix]);
-  for (Statement& s : p.statements) {
-    if (has_meaning(s)) continue;
-    const auto section = at(s.section);
-    s.name = p.sections[section].prefix;
-    s.name += "_t";
-    s.name += std::to_string((*next_of_section[section])++);
-    if (used.contains(s.name)) s.name = used.add(s.name);
-  }
-}
 
 }  // namespace
 
@@ -129,7 +109,7 @@ void Graph::rollback(std::size_t mark) {
     known_[slot(last, hash(last))] = {};
     nodes_.pop_back();
   }
-  names_.resize(std::min(names_.size(), mark));
+  quantities_.resize(std::min(quantities_.size(), mark));
   for (std::size_t s = section_starts_.size(); s-- > 0 && section_starts_[s] > mark;) section_starts_[s] = mark;
 }
 
@@ -139,27 +119,27 @@ void Graph::begin_section(std::string title, std::string prefix) {
   section_starts_.push_back(nodes_.size());
 }
 
-void Graph::name(const Expression& e, const std::string& name) {
-  set_name(e, name, true);
-}
-
-void Graph::describe(const Expression& e, const std::string& name) {
-  set_name(e, name, false);
-}
-
-void Graph::set_name(const Expression& e, const std::string& name, bool is_own) {
-  if (!e.graph() || !names_matter_) return;
+bool Graph::takes_quantity(const Expression& e, bool is_own) const {
+  if (!e.graph() || !names_matter_) return false;
   const auto node = at(e.node());
-  if (nodes_[node].kind != Node::Kind::operation) return;
-  if (names_.size() <= node) names_.resize(node + 1);
-  NodeName& known = names_[node];
-  if (known.is_own || (!is_own && !known.text.empty())) return;
-  known.is_own = is_own;
-  // The node holds the value without its sign.
-  if (!e.negative())
-    known.text = name;
-  else
-    known.text = name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name + "_neg";
+  if (nodes_[node].kind != Node::Kind::operation) return false;
+  if (node >= quantities_.size()) return true;
+  const NodeQuantity& known = quantities_[node];
+  return !known.is_own && (is_own || !known.quantity);
+}
+
+void Graph::set_quantity(const Expression& e, Quantity quantity, bool is_own) {
+  if (!takes_quantity(e, is_own)) return;
+  quantity.negative = quantity.negative != e.negative();
+  if (quantities_.size() <= at(e.node())) quantities_.resize(at(e.node()) + 1);
+  quantities_[at(e.node())] = {std::make_shared<const Quantity>(std::move(quantity)), is_own};
+}
+
+void Graph::name(const Expression& e, const Statement& s) {
+  if (!s.quantity || !takes_quantity(e, s.named)) return;
+  if (e.negative()) return set_quantity(e, *s.quantity, s.named);
+  if (quantities_.size() <= at(e.node())) quantities_.resize(at(e.node()) + 1);
+  quantities_[at(e.node())] = {s.quantity, s.named};
 }
 
 Expression Graph::operation(Op op, const Expression& a, const Expression& b) {
@@ -225,10 +205,9 @@ Program Graph::program(
       if (n.b >= 0) s.b = operand_of[at(n.b)];
       s.b.negative = s.b.negative != n.b_negative;
       s.section = new_section[section];
-      if (i < names_.size()) {
-        s.name = names_[i].text;
-        s.named = names_[i].is_own;
-        s.described = !s.named && !s.name.empty();
+      if (i < quantities_.size()) {
+        s.quantity = quantities_[i].quantity;
+        s.named = quantities_[i].is_own;
       }
     }
   }
@@ -243,7 +222,6 @@ Program Graph::program(
       array.values.push_back(value);
     }
   }
-  if (names_matter_) name_statements(p);
   return p;
 }
 

@@ -41,18 +41,6 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-// The shared part of names: `hipassembly` for LF_hipassembly, RF_hipassembly, …; empty if nothing is shared.
-std::string shared_part(const std::vector<std::string>& names) {
-  const Common c = common(names, "_");
-  const std::string& first = names.front();
-  std::string tail = first.substr(first.size() - c.tail);
-  if (c.head == 0 && !tail.empty()) tail.erase(0, 1);
-  std::string result = first.substr(0, c.head) + (c.head > 0 && !tail.empty() ? tail.substr(1) : tail);
-  while (!result.empty() && result.back() == '_') result.pop_back();
-  if (result.empty() || result[0] == '_') return "";
-  return result[0] < '0' || result[0] > '9' ? result : "lanes_" + result;
-}
-
 // A name without the shared part: `LF`.
 std::string own_part(const std::string& name, const std::string& shared) {
   const std::size_t at = name.find(shared);
@@ -70,22 +58,24 @@ std::vector<std::string> without(std::vector<std::string> list, std::size_t k) {
 
 }  // namespace
 
-std::string without_sign(const std::string& name) {
-  return name.ends_with("_neg") ? name.substr(0, name.size() - 4) : name;
+std::string common_words(const std::vector<std::string>& names) {
+  if (all_equal(names)) return names.front();
+  const Common c = common(names, "_");
+  const std::string& first = names.front();
+  std::string tail = first.substr(first.size() - c.tail);
+  if (c.head == 0 && !tail.empty()) tail.erase(0, 1);
+  std::string result = first.substr(0, c.head) + (c.head > 0 && !tail.empty() ? tail.substr(1) : tail);
+  while (!result.empty() && result.back() == '_') result.pop_back();
+  if (result.empty() || result[0] == '_') return "";
+  return result[0] < '0' || result[0] > '9' ? result : "lanes_" + result;
 }
 
 std::string common_name(const std::vector<std::string>& names) {
-  if (all_equal(names)) return names.front();
-  if (const std::string shared = shared_part(names); !shared.empty() && shared != "neg") return shared;
-  // In mirrored limbs some lanes are negated.
-  std::vector<std::string> plain;
-  for (const std::string& name : names) plain.push_back(without_sign(name));
-  if (all_equal(plain)) return plain.front();
-  if (const std::string shared = shared_part(plain); !shared.empty()) return shared;
+  std::string shared = common_words(names);
   // A value that one limb shares with another part of the robot is named after that part.
-  for (std::size_t odd = 0; plain.size() > 2 && odd < plain.size(); ++odd)
-    if (const std::string shared = shared_part(without(plain, odd)); !shared.empty()) return shared;
-  return "lanes";
+  for (std::size_t odd = 0; shared.empty() && names.size() > 2 && odd < names.size(); ++odd)
+    shared = common_words(without(names, odd));
+  return shared.empty() ? "lanes" : shared;
 }
 
 namespace {
@@ -108,7 +98,7 @@ std::string title_of_limbs(const std::vector<std::string>& titles) {
     const bool has_colon = here.front().ends_with(":");
     if (has_colon)
       for (std::string& word : here) word.pop_back();
-    const std::string shared = shared_part(here);
+    const std::string shared = common_words(here);
     std::vector<std::string> own;
     for (const std::string& word : here) {
       const std::string part = own_part(word, shared);

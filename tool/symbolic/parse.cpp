@@ -1,3 +1,4 @@
+#include <memory>
 #include <sstream>
 #include <utility>
 
@@ -122,6 +123,7 @@ class Reader {
 
   std::string append(Statement s) {
     if (std::string fault = operands_.assign(s.name); !fault.empty()) return fault;
+    if (s.named) s.quantity = std::make_shared<const Quantity>(Quantity{s.name});
     s.width = width_of_result(program_, s);
     program_.statements.push_back(std::move(s));
     return "";

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "symbolic/constant.h"
+#include "symbolic/quantity.h"
 
 namespace robcogen::symbolic {
 
@@ -46,24 +47,23 @@ struct Operand {
 struct Statement {
   Op op = Op::add;
   Operand a;
-  Operand b;         // unused by unary operations
-  std::string name;  // unique in the program; speaks robot: `lowerleg_wx`, or `lowerleg_t3`
-  int section = 0;   // into Program::sections
-  bool named =
-      false;  // the algorithm gave it a name of its own: passes and back ends keep it as a statement of its own
-  bool described = false;  // the name says what the value is, but has no other effect
+  Operand b;           // unused by unary operations
+  std::string name;    // if the program was read from text: its name there; otherwise empty
+  int section = 0;     // into Program::sections
+  bool named = false;  // passes and back ends keep it as a statement of its own, with the name of its quantity
   // Number of lanes. The operation is applied in each lane; a scalar operand is the same in all of them.
   int width = 1;
   std::vector<Operand> lanes = {};  // of gather: a scalar per lane
+  QuantityRef quantity = {};        // what the value is; null: nothing is known
 };
 
 constexpr bool is_sum(Op op) {
   return op == Op::add || op == Op::subtract;
 }
 
-// Whether the name says what the value is; otherwise it is a number within the section.
+// Whether the name of the value says what it is; otherwise it is a number within the section.
 inline bool has_meaning(const Statement& s) {
-  return s.named || s.described;
+  return s.quantity != nullptr;
 }
 
 inline bool is_statement(const Operand& o) {
@@ -140,9 +140,10 @@ constexpr bool is_matrix(Role role) {
 struct InputArray {
   std::string name;
   Role role = Role::value;
-  std::vector<std::string> elements;  // a label for each element: the joint's name, `wx`, …
-  std::vector<int> quaternions = {};  // the elements that begin unit quaternions: w, x, y, z
-  int followers = 0;                  // of joint positions: how many of the last elements follow the others
+  std::vector<std::string> elements;         // a label for each element: the joint's name, `wx`, …
+  std::vector<int> quaternions = {};         // the elements that begin unit quaternions: w, x, y, z
+  int followers = 0;                         // of joint positions: how many of the last elements follow the others
+  std::vector<QuantityRef> quantities = {};  // of the elements; empty: the labels say all
 };
 
 struct OutputArray {

@@ -29,9 +29,7 @@ Expression Rebuild::compute(std::size_t i) {
 
 void Rebuild::set(std::size_t i, const Expression& value) {
   values_[i] = value;
-  const Statement& s = program_.statements[i];
-  if (s.named) graph_.name(value, s.name);
-  if (s.described) graph_.describe(value, s.name);
+  graph_.name(value, program_.statements[i]);
 }
 
 void Rebuild::enter_section_of(std::size_t i) {

@@ -67,17 +67,18 @@ std::string verify(const Program& p) {
   std::unordered_set<std::string> names;
   for (std::size_t i = 0; i < p.statements.size(); ++i) {
     const Statement& s = p.statements[i];
-    if (!is_identifier(s.name)) return "'" + s.name + "' is not a valid identifier";
-    if (std::any_of(kOps.begin(), kOps.end(), [&](const OpName& o) { return s.name == o.name; }))
-      return "'" + s.name + "' is an operation";
-    if (!names.insert(s.name).second) return "'" + s.name + "' is assigned twice";
+    const std::string name = s.name.empty() ? std::to_string(i) : s.name;
+    if (!s.name.empty() && !is_identifier(name)) return "'" + name + "' is not a valid identifier";
+    if (std::any_of(kOps.begin(), kOps.end(), [&](const OpName& o) { return name == o.name; }))
+      return "'" + name + "' is an operation";
+    if (!names.insert(name).second) return "'" + name + "' is assigned twice";
     const bool gathers = s.op == Op::gather;
     if ((!gathers && !sound(s.a, i)) || (is_binary(s.op) && !sound(s.b, i)) ||
         !std::all_of(s.lanes.begin(), s.lanes.end(), [&](const Operand& o) { return sound(o, i); }))
-      return "statement '" + s.name + "' reads an undefined value";
-    if (!has_sound_lanes(p, s)) return "statement '" + s.name + "' reads lanes that do not fit";
+      return "statement '" + name + "' reads an undefined value";
+    if (!has_sound_lanes(p, s)) return "statement '" + name + "' reads lanes that do not fit";
     if (s.section < 0 || s.section >= static_cast<int>(p.sections.size()))
-      return "statement '" + s.name + "' is in no section";
+      return "statement '" + name + "' is in no section";
   }
   for (const Constant& n : p.constants)
     if (!(n.value() >= 0.0) || std::isinf(n.value())) return "a constant is negative or not a number";

@@ -48,8 +48,8 @@ TEST_F(FrameMotion, SpatialJacobian) {
   expect_near(value(geometric_jacobian, forth, JacobianReference::spatial), {0, 0, 1, 0, 0, 0, 0, 0, 1, kY, -kX, 0});
 }
 
-// Seen from the rod, the base moves in the opposite direction; in the base's axes, the columns are the negated columns
-// of the spatial Jacobian in reverse order.
+// RelativeMotion from the rod, the base moves in the opposite direction; in the base's axes, the columns are the
+// negated columns of the spatial Jacobian in reverse order.
 TEST_F(FrameMotion, ReferencesOfTheWayBack) {
   std::vector<double> there = value(geometric_jacobian, forth, JacobianReference::spatial);
   std::vector<double> columns;

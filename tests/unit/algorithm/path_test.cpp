@@ -104,8 +104,8 @@ TEST_F(Paths, LeadPastEachJoint) {
   const Eigen::Isometry3d expected[] = {motion_of(tree, 1).inverse(), to_arm, to_hand, to_tip};
   Trace trace(tree);
   const auto q = trace.joint_input("q", Role::joint_position);
-  std::vector<Reached> reached;
-  reached.push_back(walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
+  std::vector<PathPose> reached;
+  reached.push_back(walk(trace, path, q, [&](const PathSegment& segment, const PathPose& here) {
     ASSERT_LT(reached.size(), 3U);
     EXPECT_EQ(segment.subject, path[reached.size()].subject);
     reached.push_back(here);

@@ -2,8 +2,12 @@
 #include "algorithm/spatial/spatial_inertia.h"
 
 #include <set>
+#include <string>
+#include <vector>
 
+#include "algorithm/spatial/named.h"
 #include "bodies.h"
+#include "symbolic/text.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -68,19 +72,18 @@ INSTANTIATE_TEST_SUITE_P(, SpatialInertias, testing::Range(0, 30));
 
 TEST(SpatialInertiaNames, AreThoseOfTheElements) {
   Numbers n;
-  const SpatialInertia x = random_inertia(n) + random_inertia(n);
-  name(n.graph, x, "foot");
+  const SpatialInertia x = named("foot", random_inertia(n) + random_inertia(n));
   std::vector<Expression> elements = matrix(x).columns();
   const symbolic::Program p = test::program(n.graph, n.inputs.size(), elements);
-  std::set<std::string> names;
-  for (const symbolic::Statement& s : p.statements) names.insert(s.name);
+  const std::vector<std::string> list = statement_names(p);
+  const std::set<std::string> names(list.begin(), list.end());
   EXPECT_EQ(names.size(), 6U + 9U + 6U);
   for (const char* expected : {"foot_Axx", "foot_Ayz", "foot_Bxz", "foot_Bzx", "foot_Mxy", "foot_Mzz"})
     EXPECT_TRUE(names.contains(expected)) << expected;
   EXPECT_FALSE(names.contains("foot_Azy"));
   // The name gives the position in B; below the diagonal is B'.
   const symbolic::Operand& below = p.outputs[0].values[5];  // row 5, column 0
-  EXPECT_EQ(p.statements[static_cast<std::size_t>(below.index)].name, "foot_Bxz");
+  EXPECT_EQ(list[static_cast<std::size_t>(below.index)], "foot_Bxz");
 }
 
 }  // namespace

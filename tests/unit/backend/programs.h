@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 
 #include "../model/trees.h"
@@ -17,7 +18,8 @@ inline symbolic::Program program(const std::string& text) {
   std::optional<symbolic::Program> p = symbolic::parse(text, error);
   EXPECT_TRUE(p) << error;
   if (!p) return {};
-  for (symbolic::Statement& s : p->statements) s.described = !s.named;
+  for (symbolic::Statement& s : p->statements)
+    s.quantity = std::make_shared<const symbolic::Quantity>(symbolic::Quantity{s.name});
   return *p;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -72,6 +73,7 @@ class RandomProgram {
     s.name = pick(10) == 0 ? "q_" + number : "left_front_upperleg_t" + number;
     s.section = pick(static_cast<int>(p.sections.size()));
     s.named = pick(5) == 0;
+    if (s.named) s.quantity = std::make_shared<const symbolic::Quantity>(symbolic::Quantity{s.name});
     return s;
   }
 };

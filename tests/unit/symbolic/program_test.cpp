@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "symbolic/expression.h"
 #include "symbolic/text.h"
@@ -74,27 +76,22 @@ TEST_F(ProgramOfGraph, NumbersRunOnThroughSectionsOfOnePrefix) {
   graph.begin_section("link hip: force", "hip");
   const Expression third = second * b;
   const Program p = program({third});
-  ASSERT_EQ(p.statements.size(), 3u);
-  EXPECT_EQ(p.statements[0].name, "hip_t0");
-  EXPECT_EQ(p.statements[1].name, "knee_t0");
-  EXPECT_EQ(p.statements[2].name, "hip_t1");
+  EXPECT_EQ(statement_names(p), (std::vector<std::string>{"hip_t0", "knee_t0", "hip_t1"}));
 }
 
 TEST_F(ProgramOfGraph, NamesAreGivenOnceAndStayUnique) {
   const Expression sum = a + b, product = a * b, sine = sin(a), cosine = cos(a);
-  graph.name(sum, "wx");
-  graph.name(sum, "wy");      // already has a name
-  graph.name(product, "wx");  // already taken
-  graph.name(sine, "wx");
-  graph.name(cosine, "t_t0");  // the name that a numbered value would get
-  graph.name(a, "input");
-  graph.name(graph.constant(0.5), "constant");
-  graph.name(Expression(), "zero");
+  graph.name(sum, {"wx"});
+  graph.name(sum, {"wy"});      // already has a name
+  graph.name(product, {"wx"});  // already taken
+  graph.name(sine, {"wx"});
+  graph.name(cosine, {"t_t0"});  // the name that a numbered value would get
+  graph.name(a, {"input"});
+  graph.name(graph.constant(0.5), {"constant"});
+  graph.name(Expression(), {"zero"});
   const Expression unnamed = sqrt(a);
   const Program p = program({sum, product, sine, cosine, unnamed});
-  std::vector<std::string> names;
-  for (const Statement& s : p.statements) names.push_back(s.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"wx", "wx_2", "wx_3", "t_t0", "t_t0_2"}));
+  EXPECT_EQ(statement_names(p), (std::vector<std::string>{"wx", "wx_2", "wx_3", "t_t0", "t_t0_2"}));
   EXPECT_TRUE(p.statements[0].named);
   EXPECT_FALSE(p.statements[4].named);
 }
@@ -103,12 +100,13 @@ TEST_F(ProgramOfGraph, NamesAreGivenOnceAndStayUnique) {
 TEST_F(ProgramOfGraph, ANegatedValueIsCalledSo) {
   const Expression difference = b - a;
   ASSERT_TRUE(difference.negative());
-  graph.name(difference, "az");
+  graph.name(difference, {"az"});
   const Expression product = a * b;
-  graph.name(-product, "moment_neg");
+  Quantity moment{"moment"};
+  moment.negative = true;
+  graph.name(-product, moment);
   const Program p = program({difference, product});
-  EXPECT_EQ(p.statements[0].name, "az_neg");
-  EXPECT_EQ(p.statements[1].name, "moment");
+  EXPECT_EQ(statement_names(p), (std::vector<std::string>{"az_neg", "moment"}));
   EXPECT_TRUE(p.outputs[0].values[0].negative);
 }
 

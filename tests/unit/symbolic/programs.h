@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 #include <utility>
@@ -170,6 +171,7 @@ class RandomPrograms {
     if (pick(6) == 0) section_ = pick(3);
     symbolic::Statement s{op, a, b, "s" + std::to_string(p.statements.size()), section_, pick(6) == 0};
     if (!is_binary(op)) s.b = {};
+    if (s.named) s.quantity = std::make_shared<const symbolic::Quantity>(symbolic::Quantity{s.name});
     p.statements.push_back(std::move(s));
     return static_cast<int>(p.statements.size()) - 1;
   }

@@ -15,8 +15,8 @@ using symbolic::Program;
 using symbolic::Role;
 
 // Calls seen(leaf) for every parameter and variable of a quantity.
-template <class Seen>
-void for_each_name(const Quantity& q, const Seen& seen) {
+template <class RelativeMotion>
+void for_each_name(const Quantity& q, const RelativeMotion& seen) {
   switch (q.op()) {
     case Quantity::Op::constant:
       return;

@@ -1,10 +1,13 @@
 // Centre of mass, its Jacobian and the centroidal momentum matrix, from composite rigid bodies.
+#include <utility>
+#include <vector>
+
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -20,8 +23,7 @@ struct WholeBody {
     robot.trace.section(base, "centre of mass");
     if (total.mass.is_zero()) return;
     per_mass = robot.trace.graph.one() / total.mass;
-    com = per_mass * total.first_moment;
-    name(robot.trace.graph, com, "com_");
+    com = named("", "com", per_mass * total.first_moment);
   }
 
   const TracedRobot& robot;
@@ -42,14 +44,14 @@ Force unit_momentum(const WholeBody& body, int joint) {
     momentum = to_parent(robot.pose(i), momentum);
     momentum.moment += rotor_momentum(robot, joint, robot.tree().joints[at(i)].parent);
     const std::string& seen_from = robot.link_name(robot.tree().joints[at(i)].parent);
-    describe(momentum.moment, moving.name + "_" + seen_from + "_L");
-    describe(momentum.linear, moving.name + "_" + seen_from + "_p");
+    described("L", at_link(moving.name, seen_from), momentum.moment);
+    described("p", at_link(moving.name, seen_from), momentum.linear);
   }
   return momentum;
 }
 
 // The same when one coordinate moves, with the joints that it moves.
-Force unit_momentum(const WholeBody& body, const std::vector<Share>& moved) {
+Force unit_momentum(const WholeBody& body, const std::vector<MovedJoint>& moved) {
   return sum_of(moved, [&](int joint) { return unit_momentum(body, joint); });
 }
 
@@ -65,7 +67,7 @@ std::vector<Vector3> velocity_columns(const WholeBody& body) {
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(cross(unit_vector(trace.graph, k), body.com));
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(unit_vector(trace.graph, k));
   }
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     columns.push_back(body.per_mass * unit_momentum(body, moved).linear);
   return columns;
 }
@@ -86,7 +88,7 @@ std::vector<Force> momentum_columns(const WholeBody& body) {
     }
     for (std::size_t k = 0; k < 3; ++k) columns.push_back({{}, body.total.mass * unit_vector(trace.graph, k)});
   }
-  for (const std::vector<Share>& moved : shares(trace)) {
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     const Force momentum = unit_momentum(body, moved);
     columns.push_back({momentum.moment - cross(body.com, momentum.linear), momentum.linear});
   }
@@ -103,31 +105,50 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
   const std::string& name = robot.link_name(link);
   robot.trace.section(name, "link ", ": rate of momentum");
   const LinkMotion& motion = motions[at(link)];
-  total += link_wrench(robot.trace, robot.mass(link), motion, spins_on(robot, link, in.qd, {}));
-  describe(total, name + "_rate");
-  return total;
+  total += link_wrench(robot.trace, robot.mass(link), motion, rotor_motions_on(robot, link, in.qd, {}));
+  return described({name, "rate"}, total);
 }
 
-// The inputs of a function, with the pose of the base if its results are in axes of the world.
-std::vector<State> with_pose(CentroidalAxes axes, std::vector<State> list, const std::vector<State>& more = {}) {
-  if (axes == CentroidalAxes::of_world) list.push_back(State::base_pose);
-  list.insert(list.end(), more.begin(), more.end());
-  return list;
-}
+// What the functions of this file begin with: their state inputs, with the pose of the base if results are in axes of
+// the world, and the robot.
+struct CentroidalTrace {
+  CentroidalTrace(
+      const model::KinematicTree& tree,
+      const RepresentativeLinks& representative,
+      CentroidalAxes axes_,
+      std::vector<State> before_pose,
+      const std::vector<State>& after_pose = {})
+      : axes(axes_),
+        trace(tree),
+        in(trace, with_pose(std::move(before_pose), after_pose)),
+        robot(trace, in.q, representative) {}
 
-// Rotates a vector from axes of the base to those of the results.
-Vector3 turned(CentroidalAxes axes, const StateInputs& in, const Vector3& v) {
-  return axes == CentroidalAxes::of_world ? multiply(in.base_rotation, v) : v;
-}
+  CentroidalAxes axes;
+  Trace trace;
+  StateInputs in;
+  TracedRobot robot;
+
+  // Rotates a vector from axes of the base to those of the results.
+  Vector3 turned(const Vector3& v) const {
+    return axes == CentroidalAxes::of_world ? multiply(in.base_rotation, v) : v;
+  }
+  Force turned(const Force& f) const { return {turned(f.moment), turned(f.linear)}; }
+
+ private:
+  std::vector<State> with_pose(std::vector<State> list, const std::vector<State>& more) const {
+    if (axes == CentroidalAxes::of_world) list.push_back(State::base_pose);
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  }
+};
 
 // Calls add(velocity, its column) for each velocity, base twist first.
 template <class Column, class Add>
-void for_each_velocity(const StateInputs& in, const Trace& trace, const std::vector<Column>& columns, const Add& add) {
+void for_each_velocity(const CentroidalTrace& f, const std::vector<Column>& columns, const Add& add) {
   std::vector<Expression> velocities;
-  if (trace.tree.floating_base)
-    for (const Vector3& part : {in.base_velocity.angular, in.base_velocity.linear})
-      velocities.insert(velocities.end(), part.element.begin(), part.element.end());
-  for (const int joint : trace.tree.coordinates()) velocities.push_back(in.qd[at(joint)]);
+  if (f.robot.floating())
+    for (const Vector3& part : {f.in.base_velocity.angular, f.in.base_velocity.linear}) append(velocities, part);
+  for (const int joint : f.trace.tree.coordinates()) velocities.push_back(f.in.qd[at(joint)]);
   for (std::size_t k = 0; k < columns.size(); ++k) add(velocities[k], columns[k]);
 }
 
@@ -138,16 +159,15 @@ Program centroidal_momentum_bias(
     const std::string& name,
     const RepresentativeLinks& representative,
     CentroidalAxes axes) {
-  Trace trace(tree);
-  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
-  const TracedRobot robot(trace, in.q, representative);
-  const WholeBody body(robot);
-  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
-  Force rate = momentum_rate(robot, forces.motions, in, 0);
+  CentroidalTrace f(tree, representative, axes, {State::position, State::velocity}, {State::base_velocity});
+  const WholeBody body(f.robot);
+  const std::vector<Expression> at_rest = f.trace.accelerations_at_rest();
+  const LinkMotion base = base_motion(f.in.base_velocity, {}, {});
+  const Forces forces = newton_euler_forces(f.robot, base, f.in.qd, at_rest, nullptr);
+  Force rate = momentum_rate(f.robot, forces.motions, f.in, 0);
   rate.moment -= cross(body.com, rate.linear);
-  trace.output("bias", Role::value, Force{turned(axes, in, rate.moment), turned(axes, in, rate.linear)});
-  return trace.program(name);
+  f.trace.output("bias", Role::value, f.turned(rate));
+  return f.trace.program(name);
 }
 
 Program total_mass(const model::KinematicTree& tree, const std::string& name) {
@@ -164,12 +184,10 @@ Program center_of_mass(
     const std::string& name,
     const RepresentativeLinks& representative,
     CentroidalAxes axes) {
-  Trace trace(tree);
-  const StateInputs in(trace, with_pose(axes, {State::position}));
-  const TracedRobot robot(trace, in.q, representative);
-  const Vector3 com = in.base_position + turned(axes, in, WholeBody(robot).com);
-  trace.output("com", Role::position, std::vector<Expression>{com[0], com[1], com[2]});
-  return trace.program(name);
+  CentroidalTrace f(tree, representative, axes, {State::position});
+  const Vector3 com = f.in.base_position + f.turned(WholeBody(f.robot).com);
+  f.trace.output("com", Role::position, std::vector<Expression>{com[0], com[1], com[2]});
+  return f.trace.program(name);
 }
 
 Program center_of_mass_jacobian(
@@ -177,13 +195,11 @@ Program center_of_mass_jacobian(
     const std::string& name,
     const RepresentativeLinks& representative,
     CentroidalAxes axes) {
-  Trace trace(tree);
-  const StateInputs in(trace, with_pose(axes, {State::position}));
-  const TracedRobot robot(trace, in.q, representative);
+  CentroidalTrace f(tree, representative, axes, {State::position});
   std::vector<Expression> columns;
-  for (const Vector3& column : velocity_columns(WholeBody(robot))) append(columns, turned(axes, in, column));
-  trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
-  return trace.program(name);
+  for (const Vector3& column : velocity_columns(WholeBody(f.robot))) append(columns, f.turned(column));
+  f.trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
+  return f.trace.program(name);
 }
 
 Program centroidal_momentum_matrix(
@@ -191,50 +207,43 @@ Program centroidal_momentum_matrix(
     const std::string& name,
     const RepresentativeLinks& representative,
     CentroidalAxes axes) {
-  Trace trace(tree);
-  const StateInputs in(trace, with_pose(axes, {State::position}));
-  const TracedRobot robot(trace, in.q, representative);
+  CentroidalTrace f(tree, representative, axes, {State::position});
   std::vector<Expression> columns;
-  for (const Force& column : momentum_columns(WholeBody(robot))) {
-    append(columns, turned(axes, in, column.moment));
-    append(columns, turned(axes, in, column.linear));
+  for (const Force& column : momentum_columns(WholeBody(f.robot))) {
+    append(columns, f.turned(column.moment));
+    append(columns, f.turned(column.linear));
   }
-  trace.output("A", Role::matrix, 6, static_cast<int>(columns.size() / 6), columns);
-  return trace.program(name);
+  f.trace.output("A", Role::matrix, 6, static_cast<int>(columns.size() / 6), columns);
+  return f.trace.program(name);
 }
 
 Program center_of_mass_velocity(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative) {
-  Trace trace(tree);
-  const auto axes = CentroidalAxes::of_world;
-  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
-  const TracedRobot robot(trace, in.q, representative);
+  CentroidalTrace f(
+      tree, representative, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
   Vector3 sum;
-  for_each_velocity(in, trace, velocity_columns(WholeBody(robot)), [&](const Expression& v, const Vector3& column) {
-    sum += v * column;
-  });
-  const Vector3 velocity = turned(axes, in, sum);
-  trace.output("v", Role::value, std::vector<Expression>{velocity[0], velocity[1], velocity[2]});
-  return trace.program(name);
+  for_each_velocity(
+      f, velocity_columns(WholeBody(f.robot)), [&](const Expression& v, const Vector3& column) { sum += v * column; });
+  const Vector3 velocity = f.turned(sum);
+  f.trace.output("v", Role::value, std::vector<Expression>{velocity[0], velocity[1], velocity[2]});
+  return f.trace.program(name);
 }
 
 Program centroidal_momentum(
     const model::KinematicTree& tree,
     const std::string& name,
     const RepresentativeLinks& representative) {
-  Trace trace(tree);
-  const auto axes = CentroidalAxes::of_world;
-  const StateInputs in(trace, with_pose(axes, {State::position, State::velocity}, {State::base_velocity}));
-  const TracedRobot robot(trace, in.q, representative);
+  CentroidalTrace f(
+      tree, representative, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
   Force sum;
-  for_each_velocity(in, trace, momentum_columns(WholeBody(robot)), [&](const Expression& v, const Force& column) {
+  for_each_velocity(f, momentum_columns(WholeBody(f.robot)), [&](const Expression& v, const Force& column) {
     sum.moment += v * column.moment;
     sum.linear += v * column.linear;
   });
-  trace.output("h", Role::value, Force{turned(axes, in, sum.moment), turned(axes, in, sum.linear)});
-  return trace.program(name);
+  f.trace.output("h", Role::value, f.turned(sum));
+  return f.trace.program(name);
 }
 
 }  // namespace robcogen::algorithm

@@ -6,7 +6,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -14,19 +14,9 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-void name_composite(Trace& trace, const std::string& link, const MassProperties& m) {
-  if (!trace.graph.keeps_names()) return;
-  name(trace.graph, m.first_moment, link + "_h");
-  const char* axes = "xyz";
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j) trace.graph.name(m.pseudo_inertia[i][j], link + "_S" + axes[i] + axes[j]);
-}
-
-// Describes mass properties about the origin and in the axes of the link's parent.
-void describe_seen(const TracedRobot& robot, int link, const MassProperties& m) {
-  if (!robot.trace.graph.keeps_names()) return;
-  describe(m.first_moment, robot.link_name(link) + "_h", "_P");
-  describe(m.pseudo_inertia, robot.link_name(link) + "_S", "_P");
+// The mass properties of all links that a joint moves, about the origin of the joint's parent and in its axes.
+MassProperties in_parent_of(const TracedRobot& robot, const Joint& joint, const MassProperties& composite) {
+  return described(in_parent(robot.link_name(joint.child)), to_parent(robot.pose(joint.index), composite));
 }
 
 void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& composite) {
@@ -37,11 +27,9 @@ void collect(const TracedRobot& robot, int link, std::vector<MassProperties>& co
     if (!robot.parent_matters(joint.child)) continue;
     const std::string& name = robot.link_name(link);
     robot.trace.section(name, "link ", ": composite inertia");
-    const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
-    describe_seen(robot, joint.child, seen);
-    composite[l] = composite[l] + seen;
+    composite[l] = composite[l] + in_parent_of(robot, joint, composite[at(joint.child)]);
   }
-  name_composite(robot.trace, robot.link_name(link), composite[l]);
+  named(robot.link_name(link), composite[l]);
 }
 
 }  // namespace
@@ -55,14 +43,8 @@ std::vector<MassProperties> composite_bodies(const TracedRobot& robot) {
 MassProperties moving_body(const TracedRobot& robot, const std::vector<MassProperties>& composite) {
   if (robot.floating()) return composite[0];
   MassProperties total;
-  for (const Joint& joint : robot.children(0)) {
-    const MassProperties seen = to_parent(robot.pose(joint.index), composite[at(joint.child)]);
-    describe_seen(robot, joint.child, seen);
-    total = total + seen;
-  }
-  describe(total.first_moment, "robot_h");
-  describe(total.pseudo_inertia, "robot_S");
-  return total;
+  for (const Joint& joint : robot.children(0)) total = total + in_parent_of(robot, joint, composite[at(joint.child)]);
+  return described("robot", total);
 }
 
 Motion free_acceleration(const SpatialInertia& body, const Force& missing) {
@@ -83,9 +65,7 @@ void add_composite_forces(
     for (const Joint& joint : robot.children(link)) {
       const std::string& name = robot.link_name(joint.child);
       robot.trace.section(name, "link ", ": share of the base acceleration");
-      const Motion a = to_child(robot.pose(joint.index), parent);
-      describe(a.angular, name + "_dw");
-      describe(a.linear, name + "_da");
+      const Motion a = described_acceleration(name, to_child(robot.pose(joint.index), parent));
       tau[at(joint.index)] += dot(times_subspace(composite[at(joint.child)], joint), a);
       descend(joint.child, a);
     }
@@ -116,7 +96,7 @@ SquareMatrix reduced(const TracedRobot& robot, const SquareMatrix& by_joint) {
   const SquareMatrix H = by_coordinate(robot.trace, by_joint, robot.floating() ? 6 : 0, Symmetry::symmetric);
   const std::vector<std::string> names = coordinate_names(robot.tree());
   for (int r = 0; r < H.size(); ++r)
-    for (int c = 0; c <= r; ++c) describe(H(r, c), "H_" + names[at(r)] + "_" + names[at(c)]);
+    for (int c = 0; c <= r; ++c) described(coordinates("H", names[at(r)], names[at(c)]), H(r, c));
   return H;
 }
 
@@ -130,20 +110,17 @@ SquareMatrix inertia_by_joint(const TracedRobot& robot) {
   SquareMatrix H(base + joints);
   const std::vector<std::string> names = joint_names(tree);
   const auto set = [&](int row, int column, const Expression& value) {
-    H(row, column) = H(column, row) = value;
-    if (keeps_names(value)) describe(value, "H_" + names[at(row)] + "_" + names[at(column)]);
+    H(row, column) = H(column, row) = described(coordinates("H", names[at(row)], names[at(column)]), value);
   };
   for (int j = 0; j < joints; ++j) {
     Joint joint = robot.joint(j);
     const std::string& link = robot.link_name(joint.child);
-    if (robot.trace.graph.keeps_names())
-      robot.trace.section(link, "link " + link + ": column of joint " + tree.joints[at(j)].name);
+    robot.trace.section(link, {"link ", link, ": column of joint ", tree.joints[at(j)].name});
     Force wrench = times_subspace(composite[at(joint.child)], joint);
     while (true) {
       const Expression own = joint.index == j ? drive_inertia(robot.trace, j) : Expression();
       set(base + joint.index, base + j, project(joint, wrench) + own);
-      if (robot.trace.graph.keeps_names())
-        describe(wrench, tree.joints[at(j)].name + "_" + robot.link_name(joint.child));
+      described(at_link(tree.joints[at(j)].name, robot.link_name(joint.child)), wrench);
       if (!robot.parent_matters(joint.child)) break;
       wrench = to_parent(robot.pose(joint.index), wrench);
       wrench.moment += rotor_momentum(robot, j, tree.joints[at(joint.index)].parent);

@@ -77,7 +77,7 @@ void output_blocks(
   int number = 0;
   for (ColumnBlock& block : blocks) {
     for (std::size_t c = 0; c < block.solved && solutions == ContactSolutions::written_out; ++c)
-      block.columns[c] = solve(structure, factors, block.columns[c], "_" + std::to_string(number++));
+      block.columns[c] = solve(structure, factors, block.columns[c], std::to_string(number++));
     trace.output(block.name, Role::matrix, static_cast<int>(structure.rows.size()), block.columns);
   }
   if (solutions == ContactSolutions::in_columns) trace.output("factor", Role::value, numbers_of(structure, factors));

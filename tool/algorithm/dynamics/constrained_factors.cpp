@@ -7,7 +7,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/limb_columns.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -128,28 +128,28 @@ std::vector<Expression> solve(
     const ConstrainedStructure& structure,
     const ConstrainedFactors& factors,
     const std::vector<Expression>& b,
-    const std::string& suffix) {
+    const std::string& column) {
   const std::size_t size = structure.elimination.order.size(), rows = structure.halves.size();
   const std::vector<std::string>& names = structure.order.names;
   std::vector<Expression> half = first_half(
       factors.of_inertia, structure.order.ordered({b.begin(), b.begin() + static_cast<std::ptrdiff_t>(size)}));
   std::vector<Expression> scaled, missing;
   for (std::size_t k = 0; k < size; ++k) {
-    describe(half[k], "b_" + names[k] + suffix);
+    described(coordinate("b", names[k], column), half[k]);
     scaled.push_back(factors.of_inertia.inverse_d[k] * half[k]);
   }
   for (std::size_t r = 0; r < rows; ++r) {
     Expression sum = b[size + r];
     for (std::size_t k = 0; k < size; ++k) sum -= factors.halves[r][k] * scaled[k];
     missing.push_back(factors.active[r] * sum);
-    describe(missing.back(), "b_" + structure.contact_rows[r] + suffix);
+    described(coordinate("b", structure.contact_rows[r], column), missing.back());
   }
   const std::vector<Expression> f = second_half(factors.of_contacts, first_half(factors.of_contacts, missing));
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t k = 0; k < size; ++k) half[k] += factors.halves[r][k] * f[r];
   std::vector<Expression> x = structure.order.unordered(second_half(factors.of_inertia, half));
   x.insert(x.end(), f.begin(), f.end());
-  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + structure.rows[k] + suffix);
+  describe_elements("x", structure.rows, x, column);
   return x;
 }
 

@@ -38,11 +38,12 @@ std::vector<Expression> numbers_of(const ConstrainedStructure& structure, const 
 std::vector<std::string> labels_of(const ConstrainedStructure& structure);
 ConstrainedFactors factors_from(const ConstrainedStructure& structure, const std::vector<Expression>& numbers);
 
-// The solution (da, df) for b = (t, c). `suffix`: of the names of its elements.
+// The solution (da, df) for b = (t, c). `column`: where the names of its elements end, for
+// one of many solutions.
 std::vector<Expression> solve(
     const ConstrainedStructure& structure,
     const ConstrainedFactors& factors,
     const std::vector<Expression>& b,
-    const std::string& suffix = "");
+    const std::string& column = "");
 
 }  // namespace robcogen::algorithm

@@ -1,7 +1,7 @@
 #include "algorithm/dynamics/constraint_system.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -25,14 +25,13 @@ ConstraintSystem::ConstraintSystem(const TracedRobot& robot, const ConstraintRow
     Y_.push_back(first_half(factors_, inertia_.ordered(rows.J[at(r)])));
     std::vector<Expression>& per_d = per_d_.emplace_back();
     for (std::size_t k = 0; k < factors_.inverse_d.size(); ++k) {
-      describe(Y_.back()[k], "Y_" + name + "_" + inertia_.names[k]);
+      described(coordinates("Y", name, inertia_.names[k]), Y_.back()[k]);
       per_d.push_back(Y_.back()[k] * factors_.inverse_d[k]);
     }
     for (int c = 0; c <= r; ++c) {
       Expression sum;
       for (std::size_t k = 0; k < per_d.size(); ++k) sum += per_d[k] * Y_[at(c)][k];
-      W_(r, c) = W_(c, r) = sum;
-      describe(sum, "W_" + name + "_" + rows.names[at(c)]);
+      W_(r, c) = W_(c, r) = described(coordinates("W", name, rows.names[at(c)]), sum);
     }
   }
 }

@@ -2,7 +2,7 @@
 
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -43,7 +43,7 @@ class Chain {
   }
 
   // Passes one joint, or the components of a spherical one.
-  void pass(const std::vector<JointOnPath>& joints, const Reached& here) {
+  void pass(const std::vector<JointOnPath>& joints, const PathPose& here) {
     const PointMotion before = link_.at_point(here.position);
     Vector3 relative;  // angular velocity, and its rate in axes of the link before
     PointMotion behind = before;
@@ -73,11 +73,9 @@ class Chain {
 
   ContactMotion at_end(const Vector3& position, const std::string& frame) const {
     const PointMotion contact = link_.at_point(position);
-    if (trace_.graph.keeps_names()) {
-      describe(position, frame + "_p");
-      describe(contact.v, frame + "_v");
-      describe(contact.a, frame + "_a");
-    }
+    described("p", frame, position);
+    described("v", frame, contact.v);
+    described("a", frame, contact.a);
     ContactMotion result{{}, position, {}};
     for (const MovingAxis& axis : axes_) result.columns.push_back(column_of(axis, contact));
     if (!trace_.tree.floating_base) return result;
@@ -121,11 +119,10 @@ class Chain {
   bool is_single(const MovingAxis& axis) const { return !joint_of(trace_, axis.joint).is_spherical(); }
 
   void describe_axis(const MovingAxis& axis) const {
-    if (!trace_.graph.keeps_names()) return;
     const std::string& name = trace_.tree.joints[at(axis.joint)].name;
-    describe(axis.S, name + "_axis");
-    describe(axis.rate, name + "_axis_d");
-    describe(axis.second_rate, name + "_axis_dd");
+    described({name, "axis"}, axis.S);
+    described({name, "axis_d"}, axis.rate);
+    described({name, "axis_dd"}, axis.second_rate);
   }
 };
 
@@ -175,8 +172,8 @@ void add_force_derivatives(
 ContactMotion contact_motion(Trace& trace, const StateInputs& in, const model::Frame& frame) {
   Chain chain(trace, in);
   const Path path = path_between(trace.tree, {trace.tree.frames().front(), frame});
-  const Reached end = walk(
-      trace, path, in.q, [&](const PathSegment& segment, const Reached& here) { chain.pass(segment.joints, here); });
+  const PathPose end = walk(
+      trace, path, in.q, [&](const PathSegment& segment, const PathPose& here) { chain.pass(segment.joints, here); });
   trace.section(frame.name, "contact ", ": how its motion changes");
   return chain.at_end(end.position, frame.name);
 }
@@ -200,7 +197,7 @@ ContactRows contact_rows(Trace& trace, const ContactFrames& contacts, const std:
     }
     std::vector<Motion> by_joint(trace.tree.joints.size());
     for (const ContactColumn& c : motion.columns) by_joint[at(c.joint)] = c.column;
-    for (const std::vector<Share>& moved : shares(trace))
+    for (const std::vector<MovedJoint>& moved : moved_joints(trace))
       of_contact.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   }
   return {contacts, columns};
@@ -223,7 +220,7 @@ Columns by_coordinate(
   }
   if (trace.tree.couplings.empty()) return by_joint;
   Columns result;
-  for (const std::vector<Share>& moved : shares(trace)) {
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     std::vector<Expression>& column = result.emplace_back();
     for (std::size_t row = 0; row < rows; ++row)
       column.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)][row]; }));

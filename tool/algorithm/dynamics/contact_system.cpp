@@ -49,7 +49,7 @@ SquareMatrix ActiveContacts::inverse() const {
   const int n = rows_.size();
   std::vector<RightSide> right;
   for (int r = 0; r < n; ++r) {
-    right.push_back({"_" + rows_.names[at(r)], std::vector<Expression>(at(n))});
+    right.push_back({rows_.names[at(r)], std::vector<Expression>(at(n))});
     right.back().b[at(r)] = switches_.active[at(rows_.contact[at(r)])];
   }
   const std::vector<std::vector<Expression>> columns = solve(matrix_, std::move(right), rows_.names);

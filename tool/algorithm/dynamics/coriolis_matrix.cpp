@@ -1,4 +1,4 @@
-// The Coriolis matrix, from composite bodies and their spread (spread.h).
+// The Coriolis matrix, from the moments of the velocities of composite bodies (moment_rates.h).
 //
 // With C_ij = integral of u_i (du_j/dt) dm, dH/dt - 2 C is skew symmetric, because H_ij = integral of u_i u_j dm.
 //
@@ -7,9 +7,9 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
-#include "algorithm/dynamics/spread.h"
+#include "algorithm/dynamics/moment_rates.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -18,7 +18,7 @@ using symbolic::Program;
 using symbolic::Role;
 
 // Fills the row and the column of a joint, up to the base.
-void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index, SquareMatrix& c) {
+void fill_joint(const TracedRobot& robot, const CompositeMotion& bodies, int index, SquareMatrix& c) {
   const model::KinematicTree& tree = robot.tree();
   const int base = tree.floating_base ? 6 : 0;
   Joint joint = robot.joint(index);
@@ -26,15 +26,14 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
   const std::string& name = tree.links[link].name;
   robot.trace.section(name, "link " + name + ": row and column of joint " + tree.joints[at(index)].name);
   const Motion S = subspace(joint, robot.trace.graph);
-  Force wrench = column_wrench(bodies.composite[link], bodies.spread[link], bodies.w[link], S);
-  ChangeOfMotion row = row_of_joint(bodies.composite[link], bodies.spread[link], joint, S);
+  Force wrench = column_wrench(bodies.composite[link], bodies.moment_rates[link], bodies.w[link], S);
+  ChangeOfMotion row = row_of_joint(bodies.composite[link], bodies.moment_rates[link], joint, S);
   c(base + index, base + index) = project(joint, wrench);
   const std::string& moving = tree.joints[at(index)].name;
   const auto describe_all = [&](const std::string& link_name) {
-    describe(wrench, moving + "_" + link_name);
-    describe(row.Q.moment, moving + "_" + link_name + "_Qn");
-    describe(row.Q.linear, moving + "_" + link_name + "_Qf");
-    describe(row.e, moving + "_" + link_name + "_e");
+    described(at_link(moving, link_name), wrench);
+    described(at_link(moving, link_name, "Q"), row.Q);
+    described("e", at_link(moving, link_name), row.e);
   };
   describe_all(name);
   const RotorPath path = rotor_path(tree, index);
@@ -53,8 +52,8 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     joint = robot.joint(parent);
     c(base + parent, base + index) = project(joint, wrench);
     c(base + index, base + parent) = project(joint, on_fields_of_link(row, bodies.w[at(joint.child)]));
-    describe(c(base + parent, base + index), "C_" + tree.joints[at(parent)].name + "_" + moving);
-    describe(c(base + index, base + parent), "C_" + moving + "_" + tree.joints[at(parent)].name);
+    described(coordinates("C", tree.joints[at(parent)].name, moving), c(base + parent, base + index));
+    described(coordinates("C", moving, tree.joints[at(parent)].name), c(base + index, base + parent));
     describe_all(robot.link_name(joint.child));
   }
   if (!tree.floating_base) return;
@@ -66,15 +65,15 @@ void fill_joint(const TracedRobot& robot, const SpreadBodies& bodies, int index,
     c(base + index, 3 + k) = on_base.linear[at(k)];
     for (const int r : {k, 3 + k}) {
       const std::string coordinate = coordinate_names(tree)[at(r)];
-      describe(c(r, base + index), "C_" + coordinate + "_" + moving);
-      describe(c(base + index, r), "C_" + moving + "_" + coordinate);
+      described(coordinates("C", coordinate, moving), c(r, base + index));
+      described(coordinates("C", moving, coordinate), c(base + index, r));
     }
   }
 }
 
 // Fills the elements of the joints that a rotor's momentum passes on its way to the links that carry the rotor's own
 // joint.
-void add_rotor_path(const TracedRobot& robot, const SpreadBodies& bodies, int index, SquareMatrix& c) {
+void add_rotor_path(const TracedRobot& robot, const CompositeMotion& bodies, int index, SquareMatrix& c) {
   const RotorPath path = rotor_path(robot.tree(), index);
   if (path.joints.empty()) return;
   const int base = robot.tree().floating_base ? 6 : 0;
@@ -91,19 +90,19 @@ void add_rotor_path(const TracedRobot& robot, const SpreadBodies& bodies, int in
 }
 
 // Fills the rows and columns of the base's own motion fields: rotation about its axes and translation along them.
-void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatrix& c) {
+void fill_base(const TracedRobot& robot, const CompositeMotion& bodies, SquareMatrix& c) {
   robot.trace.section(robot.link_name(0), "base: rows and columns");
   const MassProperties& m = bodies.composite[0];
-  const Matrix3& spread = bodies.spread[0].K;
-  const Expression trace = spread[0][0] + spread[1][1] + spread[2][2];
+  const Matrix3& K = bodies.moment_rates[0].K;
+  const Expression trace = K[0][0] + K[1][1] + K[2][2];
   for (int k = 0; k < 3; ++k) {
     const Vector3 axis = unit_vector(robot.trace.graph, at(k));
     const Vector3 change = cross(bodies.w[0], axis);
     Vector3 moment = multiply(inertia_tensor(m), change);
-    for (std::size_t r = 0; r < 3; ++r) moment[r] -= spread[r][at(k)];
+    for (std::size_t r = 0; r < 3; ++r) moment[r] -= K[r][at(k)];
     moment[at(k)] += trace;
     Vector3 force = cross(change, m.first_moment);
-    force += cross(axis, bodies.spread[0].l);
+    force += cross(axis, bodies.moment_rates[0].l);
     const Vector3 sliding_moment = cross(m.first_moment, change), sliding_force = m.mass * change;
     for (int r = 0; r < 3; ++r) {
       const auto row = at(r);
@@ -113,7 +112,7 @@ void fill_base(const TracedRobot& robot, const SpreadBodies& bodies, SquareMatri
       c(3 + r, 3 + k) = sliding_force[row];
       const std::vector<std::string> names = coordinate_names(robot.tree());
       for (const int i : {r, 3 + r})
-        for (const int j : {k, 3 + k}) describe(c(i, j), "C_" + names[at(i)] + "_" + names[at(j)]);
+        for (const int j : {k, 3 + k}) described(coordinates("C", names[at(i)], names[at(j)]), c(i, j));
     }
   }
 }
@@ -124,7 +123,7 @@ Program coriolis_matrix(const model::KinematicTree& tree, const std::string& nam
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, formulation);
-  const SpreadBodies bodies(robot, in.qd, in.base_velocity.angular);
+  const CompositeMotion bodies(robot, in.qd, in.base_velocity.angular);
   const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
   SquareMatrix c(base + joints);
   for (int j = 0; j < joints; ++j) fill_joint(robot, bodies, j, c);

@@ -2,7 +2,7 @@
 
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -60,15 +60,15 @@ std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link) {
   return rotors;
 }
 
-std::vector<Spin> spins_on(
+std::vector<RotorMotion> rotor_motions_on(
     const TracedRobot& robot,
     int link,
     const std::vector<Expression>& qd,
     const std::vector<Expression>& qdd) {
-  std::vector<Spin> spins;
+  std::vector<RotorMotion> motions;
   for (const TracedRotor& rotor : rotors_on(robot, link))
-    spins.push_back({rotor.momentum, qd[at(rotor.joint)], qdd.empty() ? Expression() : qdd[at(rotor.joint)]});
-  return spins;
+    motions.push_back({rotor.momentum, qd[at(rotor.joint)], qdd.empty() ? Expression() : qdd[at(rotor.joint)]});
+  return motions;
 }
 
 Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd) {
@@ -102,7 +102,7 @@ std::vector<Expression> forces_of_drives(
     forces[j] = trace.lift(joint.drive.damping) * qd[j] + friction(trace, joint.drive, qd[j]);
     if (!joint.drive.stiffness.is_zero())
       forces[j] += trace.lift(joint.drive.stiffness) * (q[j] - trace.lift(joint.drive.rest));
-    describe(forces[j], joint.name + "_passive");
+    described("passive", joint.name, forces[j]);
   }
   return forces;
 }

@@ -21,8 +21,8 @@ struct TracedRotor {
 };
 // The rotors on a link; none on a fixed base, which does not turn.
 std::vector<TracedRotor> rotors_on(const TracedRobot& robot, int link);
-// The spins of these rotors when their joints move. `qdd`: empty for zero accelerations.
-std::vector<Spin> spins_on(
+// The motions of these rotors when their joints move. `qdd`: empty for zero accelerations.
+std::vector<RotorMotion> rotor_motions_on(
     const TracedRobot& robot,
     int link,
     const std::vector<Expression>& qd,

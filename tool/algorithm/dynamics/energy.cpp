@@ -4,7 +4,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -16,11 +16,9 @@ using symbolic::Role;
 Expression twice_energy(const MassProperties& m, const Motion& twist, const std::string& link) {
   const Vector3 &w = twist.angular, &v = twist.linear;
   const Vector3 sliding = m.mass * v, twice_h = m.first_moment + m.first_moment;
-  const Vector3 momentum = sliding + cross(w, twice_h);
-  describe(momentum, link + "_p");
+  const Vector3 momentum = described("p", link, sliding + cross(w, twice_h));
   const Expression linear = dot(v, momentum);
-  const Vector3 angular = multiply(inertia_tensor(m), w);
-  describe(angular, link + "_L");
+  const Vector3 angular = described("L", link, multiply(inertia_tensor(m), w));
   return linear + dot(w, angular);
 }
 
@@ -36,13 +34,11 @@ Program kinetic_energy(const model::KinematicTree& tree, const std::string& name
     twice += twice_energy(robot.mass(link), twist, robot.link_name(link));
     for (const TracedRotor& rotor : rotors_on(robot, link))
       twice += 2.0 * (in.qd[at(rotor.joint)] * dot(rotor.momentum, twist.angular));
-    describe(twice, robot.link_name(link) + "_2T_sum");
+    described("2T_sum", robot.link_name(link), twice);
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link ", ": velocity and energy");
-      const Motion moved = across_joint(joint, robot.pose(joint.index), twist, in.qd);
-      algorithm::name(trace.graph, moved.angular, child + "_w");
-      algorithm::name(trace.graph, moved.linear, child + "_v");
+      const Motion moved = named(child, across_joint(joint, robot.pose(joint.index), twist, in.qd));
       twice += drive_inertia(trace, joint.index) * (in.qd[at(joint.index)] * in.qd[at(joint.index)]);
       visit(joint.child, moved);
     }

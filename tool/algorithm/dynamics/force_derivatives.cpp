@@ -1,13 +1,14 @@
 // Derivatives of inverse dynamics, one walk from each joint to the base (in the spirit of Singh, Russell and Wensing
-// 2022), with velocities relative to each link's origin (spread.h) in place of 6 x 6 matrices.
+// 2022), with velocities relative to each link's origin (moment_rates.h) in place of 6 x 6 matrices.
 //
-// A joint's position moves all beyond it like a rigid body. In axes that move along, only the motion that the links
-// have from below changes: it turns the other way. So the change of all forces beyond is that of a motion field (of the
-// composite body, FieldChange), plus the rotation of the forces themselves.
+// The position of a joint moves all links beyond the joint like one rigid body. RelativeMotion in axes that move with
+// this body, only the motion of the joint's parent changes: it rotates by the opposite angle. So the wrenches of the
+// links beyond change by those of a change of their motion field (FieldChange, applied to the composite body), and the
+// wrenches themselves rotate.
 //
-// A rotor (drives.h) adds the moment qdd m + w x qd m to the wrench of its carrier, and m . w' to the force of its
-// joint. In the axes that move along, w of a carrier beyond the moving joint changes by u, half of
-// FieldChange::turning, and its w' by FieldChange::rate - w x u.
+// A rotor (drives.h) with momentum m at unit rate adds the moment qdd m + w x qd m to the wrench of the link that
+// carries it, and m . w' to the force of its joint. In axes that move with the body, w of a carrier beyond the moving
+// joint changes by u, half of FieldChange::turning, and its w' by FieldChange::rate - w x u.
 #include "algorithm/dynamics/force_derivatives.h"
 
 #include "algorithm/dynamics/composite_rigid_body.h"
@@ -15,9 +16,9 @@
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/looped_derivatives.h"
-#include "algorithm/dynamics/spread.h"
+#include "algorithm/dynamics/moment_rates.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -25,9 +26,8 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// The change of accelerations per unit of a joint's position, in axes that move with its link. For a turn about an axis
-// of a spherical joint, whose axes move with the link too, it follows from the motion that the link would have if that
-// joint stood still.
+// The change of accelerations per unit (rad or m) of a joint's position, in axes that move with its link. For one axis
+// of a spherical joint, `motion` is that of the link with the whole joint at rest, because its axes move with the link.
 FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   const AngularState& angular = motion.angular;
   const Vector3 turning = cross(angular.w, S.angular);
@@ -36,19 +36,19 @@ FieldChange by_position(const Motion& S, const LinkMotion& motion) {
   return {turning + turning, rate};
 }
 
-// Half of their change per unit of its velocity. For a spherical joint, w is the mean of its value if that joint stood
-// still and of its actual value, because the rates about two axes have no such product.
+// Half of the change of accelerations per unit of a joint's velocity. For one axis of a spherical joint, w is the mean
+// of the link's angular velocity and of that with the whole joint at rest: rates about the other axes count half.
 FieldChange by_velocity(const Motion& S, const Vector3& w) {
   return change_of_field(w, S);
 }
 
-// Their change per unit of the base's angular velocity about one of its axes.
+// The change of accelerations per unit of the base's angular velocity about one of its axes.
 FieldChange by_base_turning(const Vector3& axis, const Motion& base_velocity) {
   return {axis + axis, {cross(base_velocity.angular, axis), cross(axis, base_velocity.linear)}};
 }
 
 // By link, in its axes: the momentum qd m of the rotors that it and all beyond it carry.
-std::vector<Vector3> spins(const TracedRobot& robot, const std::vector<Expression>& qd) {
+std::vector<Vector3> rotor_momenta(const TracedRobot& robot, const std::vector<Expression>& qd) {
   std::vector<Vector3> result;
   if (!robot.tree().has_rotors()) return result;
   result.resize(robot.tree().links.size());
@@ -83,7 +83,7 @@ class JointWalks {
       : robot_(robot),
         forces_(forces),
         bodies_(robot, in.qd, in.base_velocity.angular),
-        spin_(spins(robot, in.qd)),
+        rotor_momenta_(rotor_momenta(robot, in.qd)),
         in_(in),
         names_(joint_names(robot.tree())),
         base_(robot.floating() ? 6 : 0) {
@@ -106,12 +106,12 @@ class JointWalks {
     robot_.trace.section(name, "link " + name + ": derivatives of joint " + moving);
     const Motion S = subspace(joint, robot_.trace.graph);
     const MassProperties& body = bodies_.composite[link];
-    const Spread& spread = bodies_.spread[link];
-    ChangeOfMotion row = row_of_joint(body, spread, joint, S);
+    const MomentRates& rates = bodies_.moment_rates[link];
+    ChangeOfMotion row = row_of_joint(body, rates, joint, S);
     Walk walk{
-        index, wrench_of(body, spread, by_velocity(S, mean_velocity(joint))),
-        wrench_of(body, spread, by_position(S, felt_motion(joint)))};
-    if (!spin_.empty()) add_rotors_beyond(joint, S, walk, row);
+        index, wrench_of(body, rates, by_velocity(S, mean_velocity(joint))),
+        wrench_of(body, rates, by_position(S, felt_motion(joint)))};
+    if (!rotor_momenta_.empty()) add_rotors_beyond(joint, S, walk, row);
     set_columns(walk, row, joint);
     bool is_in_own_axes = true;
     const RotorPath path = rotor_path(robot_.tree(), index);
@@ -164,8 +164,8 @@ class JointWalks {
     robot_.trace.section(robot_.link_name(0), "base: derivatives");
     const MassProperties& body = bodies_.composite[0];
     for (std::size_t k = 0; k < 3; ++k) {
-      Force wrench = wrench_of(body, bodies_.spread[0], by_base_turning(unit(k), {bodies_.w[0], v}));
-      if (!spin_.empty()) wrench.moment += cross(unit(k), spin_[0]);
+      Force wrench = wrench_of(body, bodies_.moment_rates[0], by_base_turning(unit(k), {bodies_.w[0], v}));
+      if (!rotor_momenta_.empty()) wrench.moment += cross(unit(k), rotor_momenta_[0]);
       set_base_rows(result.base_velocity[k], wrench);
     }
     const SquareMatrix inertia = matrix(rigid_body_inertia(body));
@@ -182,8 +182,8 @@ class JointWalks {
 
   const TracedRobot& robot_;
   const Forces& forces_;
-  SpreadBodies bodies_;
-  std::vector<Vector3> spin_;  // by link: momentum of the rotors on it and beyond; empty without rotors
+  CompositeMotion bodies_;
+  std::vector<Vector3> rotor_momenta_;  // by link: momentum of the rotors on it and beyond; empty without rotors
   const StateInputs& in_;
   Expression half_ = robot_.trace.graph.constant(0.5);
   std::vector<std::string> names_;  // of the rows of joints
@@ -208,10 +208,10 @@ class JointWalks {
 
   // Adds the rotors whose carriers are beyond the joint.
   void add_rotors_beyond(const Joint& joint, const Motion& S, Walk& walk, ChangeOfMotion& row) const {
-    const Vector3 &spin = spin_[at(joint.child)], &s = S.angular;
-    walk.by_velocity.moment += half_ * cross(s, spin);
-    walk.by_position.moment += cross(cross(felt_motion(joint).angular.w, s), spin);
-    row.e += half_ * cross(spin, s);
+    const Vector3 &p = rotor_momenta_[at(joint.child)], &s = S.angular;
+    walk.by_velocity.moment += half_ * cross(s, p);
+    walk.by_position.moment += cross(cross(felt_motion(joint).angular.w, s), p);
+    row.e += half_ * cross(p, s);
   }
 
   // Half of the rate of a rotor's momentum, in the axes of its carrier.
@@ -229,7 +229,7 @@ class JointWalks {
 
   void set(Columns& columns, const char* by, int row, int column, const Expression& value) {
     columns[at(column)][at(base_ + row)] = value;
-    describe(value, "dtau_" + names_[at(base_ + row)] + "_" + by + "_" + names_[at(base_ + column)]);
+    described(coordinates("dtau", names_[at(base_ + row)], names_[at(base_ + column)], {}, by), value);
   }
 
   // Sets the derivatives of the force of a joint below, or of the walking joint's own force, by the motion of the
@@ -262,12 +262,11 @@ class JointWalks {
   }
 
   void describe_walk(const Walk& walk, const ChangeOfMotion& row, const std::string& link) const {
-    if (!robot_.trace.graph.keeps_names()) return;
     const std::string& moving = robot_.tree().joints[at(walk.joint)].name;
-    describe(walk.by_position, moving + "_" + link + "_dq");
-    describe(walk.by_velocity, moving + "_" + link + "_dqd_half");
-    describe(row.Q, moving + "_" + link);
-    describe(row.e, moving + "_" + link + "_e");
+    described(at_link(moving, link, "dq"), walk.by_position);
+    described(at_link(moving, link, "dqd_half"), walk.by_velocity);
+    described(at_link(moving, link), row.Q);
+    described("e", at_link(moving, link), row.e);
   }
 };
 

@@ -12,7 +12,7 @@
 #include "algorithm/dynamics/limb_columns.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/dynamics/ordered_inertia.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -45,7 +45,7 @@ void solve_columns(const OrderedInertia& H, const std::vector<std::vector<Expres
   for (const std::vector<Expression>* column : columns) {
     std::vector<Expression> missing;
     for (const Expression& e : H.ordered(*column)) missing.push_back(-e);
-    right.push_back({"_" + std::to_string(right.size()), std::move(missing)});
+    right.push_back({std::to_string(right.size()), std::move(missing)});
   }
   const auto solutions = solve(H.a, std::move(right), H.names);
   for (std::size_t c = 0; c < columns.size(); ++c) *columns[c] = H.unordered(solutions[c]);
@@ -148,9 +148,9 @@ symbolic::Program solution_with_factor(const model::KinematicTree& tree, const s
   const std::vector<Expression> b = trace.input("b", Role::value, names);
   trace.section("solution", "one column of the solution");
   const std::vector<Expression> half = first_half(factors, H.ordered(b));
-  for (std::size_t k = 0; k < half.size(); ++k) describe(half[k], "b_" + H.names[k]);
+  describe_elements("b", H.names, half);
   const std::vector<Expression> x = H.unordered(second_half(factors, half));
-  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + names[k]);
+  describe_elements("x", names, x);
   trace.output("x", Role::value, x);
   return trace.program(name);
 }

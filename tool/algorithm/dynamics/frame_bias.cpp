@@ -51,7 +51,7 @@ symbolic::Program jacobian_with_base_bias(
   const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
   const Motion in_base = acceleration_of(robot, forces.motions, frames.right);
   const Path to_base = path_between(tree, {frames.left, tree.frames().front()});
-  const Matrix3 rotation = walk(trace, to_base, in.q, [](const PathSegment&, const Reached&) {}).rotation;
+  const Matrix3 rotation = walk(trace, to_base, in.q, [](const PathSegment&, const PathPose&) {}).rotation;
   trace.output("a", Role::value, Motion{multiply(rotation, in_base.angular), multiply(rotation, in_base.linear)});
   return trace.program(name);
 }

@@ -5,7 +5,7 @@
 #include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -24,43 +24,41 @@ Force wrench_of(const PointMass& body, const Vector3& a) {
   return {cross(body.moment, a), body.mass * a};
 }
 
-// A robot at rest, held against gravity.
-struct HeldRobot {
-  std::vector<Vector3> lift;    // by link: the acceleration that holds it, -g in link axes
+// Forces of a robot at rest, and what they follow from.
+struct RobotAtRest {
+  std::vector<Vector3> a;       // by link: -g in link axes
   std::vector<PointMass> body;  // by link: the link and all beyond it, about its origin
   std::vector<Expression> tau;
 };
 
 // Passes accelerations down the tree, and collects masses and first moments on the way up.
-HeldRobot hold(const TracedRobot& robot, const Vector3& gravity) {
-  HeldRobot held;
-  held.lift.resize(robot.tree().links.size());
-  held.body.resize(robot.tree().links.size());
-  held.tau.resize(robot.tree().joints.size());
+RobotAtRest robot_at_rest(const TracedRobot& robot, const Vector3& gravity) {
+  RobotAtRest rest;
+  rest.a.resize(robot.tree().links.size());
+  rest.body.resize(robot.tree().links.size());
+  rest.tau.resize(robot.tree().joints.size());
   Trace& trace = robot.trace;
-  const std::function<PointMass(int, const Vector3&)> visit = [&](int link, const Vector3& lift) {
-    held.lift[at(link)] = lift;
+  const std::function<PointMass(int, const Vector3&)> visit = [&](int link, const Vector3& a) {
+    rest.a[at(link)] = a;
     PointMass total{robot.mass(link).mass, robot.mass(link).first_moment};
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       const Pose& X_PC = robot.pose(joint.index);
       trace.section(child, "link ", ": gravity and first moment");
-      const Vector3 child_lift = to_child(X_PC.rotation, lift);
-      algorithm::name(trace.graph, child_lift, child + "_a");
-      PointMass body = visit(joint.child, child_lift);
-      algorithm::name(trace.graph, body.moment, child + "_h");
-      held.tau[at(joint.index)] = project(joint, wrench_of(body, child_lift));
+      const Vector3 a_C = named("a", child, to_child(X_PC.rotation, a));
+      PointMass body = visit(joint.child, a_C);
+      named("h", child, body.moment);
+      rest.tau[at(joint.index)] = project(joint, wrench_of(body, a_C));
       body.moment[2] += body.mass * X_PC.slide;
-      const Vector3 turned = to_parent(X_PC.rotation, body.moment);
-      describe(turned, child + "_h", "_P");
+      const Vector3 turned = described("h", in_parent(child), to_parent(X_PC.rotation, body.moment));
       total.moment += turned + body.mass * X_PC.offset;
       total.mass += body.mass;
     }
-    held.body[at(link)] = total;
+    rest.body[at(link)] = total;
     return total;
   };
   visit(0, -gravity);
-  return held;
+  return rest;
 }
 
 }  // namespace
@@ -74,9 +72,9 @@ Program gravity_forces(
   const StateInputs in(trace, {State::position});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  const HeldRobot held = hold(robot, load.gravity);
-  trace.output("tau", Role::joint_force, by_coordinate(trace, held.tau));
-  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(held.body[0], -load.gravity));
+  const RobotAtRest rest = robot_at_rest(robot, load.gravity);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, rest.tau));
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(rest.body[0], -load.gravity));
   return trace.program(name);
 }
 
@@ -92,11 +90,11 @@ Program looped_gravity_derivative(
     Trace& trace,
     const StateInputs& in,
     const LoadInputs& load,
-    const HeldRobot& held,
+    const RobotAtRest& rest,
     const std::string& name) {
   const model::KinematicTree& tree = trace.tree;
-  const Force wrench = tree.floating_base ? wrench_of(held.body[0], -load.gravity) : Force();
-  const std::vector<Expression> of = generalized_forces(trace, wrench, held.tau);
+  const Force wrench = tree.floating_base ? wrench_of(rest.body[0], -load.gravity) : Force();
+  const std::vector<Expression> of = generalized_forces(trace, wrench, rest.tau);
   Columns d_q = derivatives_by_positions(trace, of, in.q);
   const std::vector<int> coordinates = tree.coordinates();
   const std::size_t n = coordinates.size(), base = of.size() - n;
@@ -121,8 +119,8 @@ Program looped_gravity_derivative(
 }  // namespace
 
 // The potential is minus gravity times the first moment of the whole robot. Per unit of a joint's position, the moment
-// changes by f, the linear force of a unit acceleration of the joint. So tau = f . lift, and the derivatives follow
-// from how lift turns.
+// changes by f, the linear force of a unit acceleration of the joint. So tau = f . a, with a = -g in link axes, and the
+// derivatives follow from the rotation of a.
 Program gravity_forces_derivative(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -132,8 +130,8 @@ Program gravity_forces_derivative(
   const StateInputs in(trace, {State::position});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  const HeldRobot held = hold(robot, load.gravity);
-  if (tree.has_closures()) return looped_gravity_derivative(trace, in, load, held, name);
+  const RobotAtRest rest = robot_at_rest(robot, load.gravity);
+  if (tree.has_closures()) return looped_gravity_derivative(trace, in, load, rest, name);
   const int base = tree.floating_base ? 6 : 0, joints = static_cast<int>(tree.joints.size());
   const std::vector<Expression> zeros(at(base + joints));
   Columns d_q(at(joints), zeros), d_base(3, zeros);
@@ -141,12 +139,12 @@ Program gravity_forces_derivative(
     const std::size_t column = at(j);
     Joint joint = robot.joint(j);
     trace.section(robot.link_name(joint.child), "derivatives of joint " + tree.joints[column].name);
-    const PointMass& body = held.body[at(joint.child)];
+    const PointMass& body = rest.body[at(joint.child)];
     const auto force_of = [&](const Joint& moving) {
       return times_subspace(MassProperties{body.mass, body.moment, {}}, moving).linear;
     };
     const auto slip_of = [&](const Joint& moving) {
-      return cross(held.lift[at(moving.child)], subspace(moving, trace.graph).angular);
+      return cross(rest.a[at(moving.child)], subspace(moving, trace.graph).angular);
     };
     const Joint own = joint;
     Vector3 f = force_of(own);
@@ -160,7 +158,7 @@ Program gravity_forces_derivative(
       joint = robot.joint(parent);
     }
     if (!tree.floating_base) continue;
-    const Vector3 moment = cross(f, held.lift[0]);
+    const Vector3 moment = cross(f, rest.a[0]);
     for (std::size_t k = 0; k < 3; ++k) d_q[column][k] = d_base[k][at(base) + column] = moment[k];
   }
   const int rows = base + tree.dof();
@@ -173,7 +171,7 @@ Program gravity_forces_derivative(
   trace.output("d_q", Role::matrix, rows, d_q);
   if (!tree.floating_base) return trace.program(name);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Force change = wrench_of(held.body[0], cross(held.lift[0], unit_vector(trace.graph, k)));
+    const Force change = wrench_of(rest.body[0], cross(rest.a[0], unit_vector(trace.graph, k)));
     for (std::size_t i = 0; i < 3; ++i) {
       d_base[k][i] = change.moment[i];
       d_base[k][3 + i] = change.linear[i];

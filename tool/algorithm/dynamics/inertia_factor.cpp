@@ -8,7 +8,7 @@
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/elimination.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "support/index.h"
 #include "symbolic/cost.h"
 
@@ -83,7 +83,7 @@ SquareMatrix inverse_of(ProgramTrace& trace, const GivenFactor& f) {
       Expression sum;
       for (const int k : c.ancestors) sum += f.L(i, k) * inverse(k, j);
       inverse(i, j) = -(f.inverse_diagonal[at(i)] * sum);
-      describe(inverse(i, j), "Linv_" + c.short_name + "_" + f.coordinates[at(j)].short_name);
+      described(coordinates("Linv", c.short_name, f.coordinates[at(j)].short_name), inverse(i, j));
     }
   }
   return inverse;
@@ -114,26 +114,22 @@ Program factor(
     const int i = *next;
     const Coordinate& c = coordinates[at(i)];
     enter(trace, c, "factor: row");
-    const auto element = [&](const std::string& matrix, int j) {
-      return matrix + c.short_name + "_" + coordinates[at(j)].short_name;
+    const auto element = [&](const char* matrix, int j, const char* state = "") {
+      return algorithm::coordinates(matrix, c.short_name, coordinates[at(j)].short_name, state);
     };
-    describe(H(i, i), element("E_", i));
-    for (const int j : c.ancestors) describe(H(i, j), element("E_", j));
-    L(i, i) = sqrt(H(i, i));
-    describe(L(i, i), element("L_", i));
+    described(element("E", i), H(i, i));
+    for (const int j : c.ancestors) described(element("E", j), H(i, j));
+    L(i, i) = described(element("L", i), sqrt(H(i, i)));
     const bool waits = elimination == Elimination::products_of_L;
     const Expression reciprocal = trace.graph.one() / (waits ? L(i, i) : H(i, i));
-    inverse_diagonal[at(i)] = waits ? reciprocal : L(i, i) * reciprocal;
-    describe(inverse_diagonal[at(i)], element("L_", i) + "_inv");
-    describe(reciprocal, "D_" + c.short_name + "_inv");
+    inverse_diagonal[at(i)] = described(element("L", i, "inv"), waits ? reciprocal : L(i, i) * reciprocal);
+    described(coordinate("D", c.short_name, "inv"), reciprocal);
     for (const int j : c.ancestors) {
-      L(i, j) = H(i, j) * inverse_diagonal[at(i)];
-      describe(L(i, j), element("L_", j));
+      L(i, j) = described(element("L", j), H(i, j) * inverse_diagonal[at(i)]);
     }
     const SquareMatrix& row = waits ? L : H;
     for (const int j : c.ancestors) {
-      const Expression share = waits ? L(i, j) : H(i, j) * reciprocal;
-      describe(share, element("E_", j) + "_by_D");
+      const Expression share = described(element("E", j, "by_D"), waits ? L(i, j) : H(i, j) * reciprocal);
       for (const int k : coordinates[at(j)].ancestors) H(j, k) -= share * row(i, k);
       H(j, j) -= share * row(i, j);
     }
@@ -160,18 +156,16 @@ Program inertia_factor_solve(const KinematicTree& tree, const Program& factor, c
   for (auto i = f.order.rbegin(); i != f.order.rend(); ++i) {
     const Coordinate& c = f.coordinates[at(*i)];
     enter(trace, c, "transpose of L: element");
-    describe(y[at(*i)], "r_" + c.short_name);
-    y[at(*i)] = y[at(*i)] * f.inverse_diagonal[at(*i)];
-    describe(y[at(*i)], "z_" + c.short_name);
+    described(coordinate("r", c.short_name), y[at(*i)]);
+    y[at(*i)] = described(coordinate("z", c.short_name), y[at(*i)] * f.inverse_diagonal[at(*i)]);
     for (const int j : c.ancestors) y[at(j)] -= f.L(*i, j) * y[at(*i)];
   }
   for (const int i : f.order) {
     const Coordinate& c = f.coordinates[at(i)];
     enter(trace, c, "L: element");
     for (const int j : c.ancestors) y[at(i)] -= f.L(i, j) * y[at(j)];
-    describe(y[at(i)], "Ly_" + c.short_name);
-    y[at(i)] = y[at(i)] * f.inverse_diagonal[at(i)];
-    describe(y[at(i)], "y_" + c.short_name);
+    described(coordinate("Ly", c.short_name), y[at(i)]);
+    y[at(i)] = described(coordinate("y", c.short_name), y[at(i)] * f.inverse_diagonal[at(i)]);
   }
   trace.output("y", Role::value, y);
   return trace.program(name);
@@ -194,8 +188,8 @@ Program inertia_factor_inverse(const KinematicTree& tree, const Program& factor,
     for (int j = 0; j <= i; ++j) {
       Expression sum;
       for (int k = 0; k < f.size(); ++k) sum += inverse_L(i, k) * inverse_L(j, k);
-      inverse(i, j) = inverse(j, i) = sum;
-      describe(sum, "Hinv_" + f.coordinates[at(i)].short_name + "_" + f.coordinates[at(j)].short_name);
+      const Label label = coordinates("Hinv", f.coordinates[at(i)].short_name, f.coordinates[at(j)].short_name);
+      inverse(i, j) = inverse(j, i) = described(label, sum);
     }
   }
   trace.output("inverse", Role::inertia_matrix, f.size(), f.size(), inverse.columns());

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -16,14 +16,12 @@ LdlFactors ldl_factors(
   SquareMatrix& l = factors.l;
   for (int k = n; k-- > 0;) {
     const std::string& name = names[at(k)];
-    for (int i = 0; i <= k; ++i) describe(a(k, i), "E_" + name + "_" + names[at(i)]);
+    for (int i = 0; i <= k; ++i) described(coordinates("E", name, names[at(i)]), a(k, i));
     if (row) row(k);
     Expression& inverse_d = factors.inverse_d[at(k)];
-    inverse_d = a(k, k).graph()->one() / a(k, k);
-    describe(inverse_d, "D_" + name + "_inv");
+    inverse_d = described(coordinate("D", name, "inv"), a(k, k).graph()->one() / a(k, k));
     for (int i = 0; i < k; ++i) {
-      l(k, i) = a(k, i) * inverse_d;
-      describe(l(k, i), "L_" + name + "_" + names[at(i)]);
+      l(k, i) = described(coordinates("L", name, names[at(i)]), a(k, i) * inverse_d);
     }
     for (int i = 0; i < k; ++i) {
       for (int j = 0; j <= i; ++j) a(i, j) -= l(k, i) * a(k, j);
@@ -43,19 +41,18 @@ std::vector<std::vector<Expression>> solve(
     SquareMatrix a,
     std::vector<RightSide> right,
     const std::vector<std::string>& names) {
-  const int n = a.size();
   const LdlFactors factors = ldl_factors(
       std::move(a), names,
       [&](int k) {
-        for (const RightSide& side : right) describe(side.b[at(k)], "b_" + names[at(k)] + side.name);
+        for (const RightSide& side : right) described(coordinate("b", names[at(k)], side.name), side.b[at(k)]);
       },
       [&](int k, int i, const Expression& l) {
         for (RightSide& side : right) side.b[at(i)] -= l * side.b[at(k)];
       });
   std::vector<std::vector<Expression>> solutions;
   for (const RightSide& side : right) {
-    std::vector<Expression>& x = solutions.emplace_back(second_half(factors, side.b));
-    for (int k = 0; k < n; ++k) describe(x[at(k)], "x_" + names[at(k)] + side.name);
+    solutions.push_back(second_half(factors, side.b));
+    describe_elements("x", names, solutions.back(), side.name);
   }
   return solutions;
 }

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "algorithm/dynamics/composite_rigid_body.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "support/index.h"
 
 namespace robcogen::algorithm {
@@ -122,7 +122,7 @@ symbolic::Program limb_solution(
     in_place.inverse_d[at(rank[at(row)])] = own[next++];
   }
   std::vector<Expression> half = first_half(in_place, b);
-  for (std::size_t k = 0; k < half.size(); ++k) describe(half[k], "b_" + ordered[k]);
+  describe_elements("b", ordered, half);
   for (int joint = 0; joint < limbs.joints; ++joint) {
     const std::size_t first = at(rank[at(limbs.row(0, joint))]);
     const Expression scaled = in_place.inverse_d[first] * half[first];
@@ -136,7 +136,7 @@ symbolic::Program limb_solution(
   std::vector<Expression> x;
   for (std::size_t row = 0; row < names.size(); ++row) {
     x.push_back(solution[at(rank[row])]);
-    describe(x.back(), "x_" + names[row]);
+    described(coordinate("x", names[row]), x.back());
   }
   trace.output("x", Role::value, x);
   return trace.program(name);

@@ -1,6 +1,6 @@
 #include "algorithm/dynamics/loads.h"
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -24,8 +24,8 @@ StateInputs::StateInputs(Trace& trace, const std::vector<State>& list) {
       case State::base_pose: {
         const std::vector<Expression> pose = trace.base_pose_input();
         trace.section("base", "pose of the base");
-        base_rotation = *rotation_by_quaternion(trace.graph, {pose[0], pose[1], pose[2], pose[3]}).matrix;
-        describe(base_rotation, "base_R");
+        base_rotation =
+            described("R", "base", *rotation_by_quaternion(trace.graph, {pose[0], pose[1], pose[2], pose[3]}).matrix);
         base_position = {pose[4], pose[5], pose[6]};
         break;
       }

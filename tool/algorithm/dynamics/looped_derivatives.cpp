@@ -32,9 +32,9 @@ std::vector<Rate> position_changes(Trace& trace, const std::vector<Expression>& 
     add_turn(trace, q, joint, changes);
   else
     changes.push_back({q[at(joint)], trace.graph.one()});
-  for (const int follower : tree.followers_in_q())
-    for (const RateShare& share : trace.rates_of(*tree.coupling_of(follower)))
-      if (share.joint == joint) changes.push_back({q[at(follower)], share.factor});
+  for (const int dependent : tree.followers_in_q())
+    for (const RateTerm& share : trace.rates_of(*tree.coupling_of(dependent)))
+      if (share.joint == joint) changes.push_back({q[at(dependent)], share.factor});
   return changes;
 }
 

@@ -6,7 +6,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/kinematics/loop_functions.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "symbolic/derivative.h"
 
 namespace robcogen::algorithm {
@@ -39,29 +39,25 @@ class Recursion {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
       robot_.trace.section(name, "link ", ": velocity and acceleration");
-      LinkMotion child = across_joint(joint, X_PC, motion, qd_, qdd_);
-      if (robot_.trace.graph.keeps_names()) child.angular.link = name;
-      name_motion(name, child);
+      const LinkMotion child = named(name, across_joint(joint, X_PC, motion, qd_, qdd_));
       const Force wrench = wrench_of(joint.child, child);
       result.tau[at(joint.index)] +=
           project(joint, wrench) + drive_inertia(robot_.trace, joint.index) * qdd_[at(joint.index)];
       if (!robot_.parent_matters(joint.child)) continue;
-      const Force seen = to_parent(X_PC, wrench);
-      describe(seen, name, "_P");
-      total += seen;
+      total += described(in_parent(name), to_parent(X_PC, wrench));
     }
     const bool base = robot_.is_base(link);
     if (base && !robot_.floating()) return total;
     const std::string& name = robot_.link_name(link);
     robot_.trace.section(name, "link ", ": force and moment");
     const bool only_moment = !base && !robot_.parent_matters(link) && feels_only_moment(robot_.parent_joint(link));
-    Force own = link_wrench(robot_.trace, robot_.mass(link), motion, spins_on(robot_, link, qd_, qdd_), only_moment);
+    Force own =
+        link_wrench(robot_.trace, robot_.mass(link), motion, rotor_motions_on(robot_, link, qd_, qdd_), only_moment);
     if (loads_) robot_.subtract_external(*loads_, link, own);
     for (const TracedRotor& rotor : rotors_on(robot_, link))
       result.tau[at(rotor.joint)] += dot(rotor.momentum, motion.angular.wd);
-    total += own;
-    if (robot_.trace.graph.keeps_names()) name_forces(name, own, total);
-    result.wrenches[at(link)] = total;
+    total += described({name, "own"}, own);
+    result.wrenches[at(link)] = named(name, total);
     return total;
   }
 
@@ -69,20 +65,6 @@ class Recursion {
   const TracedRobot& robot_;
   const std::vector<Expression>&qd_, &qdd_;
   const LoadInputs* loads_;
-
-  void name_forces(const std::string& link, const Force& own, const Force& total) {
-    describe(own, link + "_own");
-    algorithm::name(robot_.trace.graph, total.linear, link + "_f");
-    algorithm::name(robot_.trace.graph, total.moment, link + "_n");
-  }
-
-  void name_motion(const std::string& link, const LinkMotion& motion) {
-    Graph& graph = robot_.trace.graph;
-    if (!graph.keeps_names()) return;
-    algorithm::name(graph, motion.angular.w, link + "_w");
-    algorithm::name(graph, motion.angular.wd, link + "_wd");
-    algorithm::name(graph, motion.a, link + "_a");
-  }
 };
 
 void output(Trace& trace, const Forces& forces) {
@@ -104,10 +86,7 @@ Forces newton_euler_forces(
     const std::vector<Expression>& qdd,
     const LoadInputs* loads) {
   Recursion recursion(robot, qd, qdd, loads);
-  LinkMotion motion = base;
-  if (robot.trace.graph.keeps_names()) motion.angular.link = robot.link_name(0);
-  describe(motion.a, robot.link_name(0) + "_a");
-  recursion.result.base_wrench = recursion.wrench_of(0, motion);
+  recursion.result.base_wrench = recursion.wrench_of(0, described(robot.link_name(0), base));
   return std::move(recursion.result);
 }
 

@@ -9,7 +9,7 @@
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 
@@ -29,9 +29,8 @@ FreeRobot free_robot(const TracedRobot& robot, const StateInputs& in, const Load
   const LinkMotion base = base_motion(in.base_velocity, {}, load.gravity);
   FreeRobot result{newton_euler_forces(robot, base, in.qd, in.qdd, &load), composite_bodies(robot), {}};
   robot.trace.section(robot.link_name(0), "base: acceleration");
-  result.acceleration = free_acceleration(rigid_body_inertia(result.composite[0]), result.forces.base_wrench);
-  algorithm::name(robot.trace.graph, result.acceleration.angular, "base_acceleration_w");
-  algorithm::name(robot.trace.graph, result.acceleration.linear, "base_acceleration_v");
+  result.acceleration = named(
+      {"base", "acceleration"}, free_acceleration(rigid_body_inertia(result.composite[0]), result.forces.base_wrench));
   return result;
 }
 
@@ -64,14 +63,14 @@ namespace {
 const std::vector<std::string> kBaseNames = {"wx", "wy", "wz", "vx", "vy", "vz"};
 
 // The derivatives at a given base acceleration, from which those with an unactuated base follow.
-struct HeldDerivatives {
+struct FixedBaseDerivatives {
   Motion base_acceleration;
   Forces forces;
   ForceDerivatives d;    // at a given base acceleration
   SquareMatrix inertia;  // of the whole robot: H_bb
 };
 
-HeldDerivatives held_derivatives(const TracedRobot& robot, StateInputs in, const LoadInputs& load) {
+FixedBaseDerivatives fixed_base_derivatives(const TracedRobot& robot, StateInputs in, const LoadInputs& load) {
   const FreeRobot free = free_robot(robot, in, load);
   in.base_acceleration = free.acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
@@ -84,15 +83,15 @@ HeldDerivatives held_derivatives(const TracedRobot& robot, StateInputs in, const
 
 // Lets the base accelerate: with H_bb a + H_bj qdd + … = 0 and the derivatives of the base wrench at a given base
 // acceleration, da = -H_bb^-1 d(base wrench), d tau = d tau (given a) + H_jb da.
-void release_base(HeldDerivatives& held) {
-  ForceDerivatives& d = held.d;
+void release_base(FixedBaseDerivatives& given) {
+  ForceDerivatives& d = given.d;
   std::vector<RightSide> right;
   std::vector<std::vector<Expression>*> columns;
   const auto add = [&](const std::string& by, Columns& block, std::size_t count) {
     for (std::size_t j = 0; j < count; ++j) {
       std::vector<Expression> missing;
       for (std::size_t k = 0; k < 6; ++k) missing.push_back(-block[j][k]);
-      right.push_back({"_" + by + std::to_string(j), std::move(missing)});
+      right.push_back({by + std::to_string(j), std::move(missing)});
       columns.push_back(&block[j]);
     }
   };
@@ -100,7 +99,7 @@ void release_base(HeldDerivatives& held) {
   add("dqd", d.qd, d.qd.size());
   add("dqdd", d.qdd, d.qdd.size());
   add("dw", d.base_velocity, 3);
-  const auto solutions = solve(held.inertia, std::move(right), kBaseNames);
+  const auto solutions = solve(given.inertia, std::move(right), kBaseNames);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     std::vector<Expression>& column = *columns[c];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -110,12 +109,12 @@ void release_base(HeldDerivatives& held) {
   }
 }
 
-void write_outputs(Trace& trace, const StateInputs& in, const LoadInputs& load, HeldDerivatives& held) {
-  ForceDerivatives& d = held.d;
+void write_outputs(Trace& trace, const StateInputs& in, const LoadInputs& load, FixedBaseDerivatives& given) {
+  ForceDerivatives& d = given.d;
   // Only rows 3 to 5 differ from zero, for any robot: all its parts fall with the same acceleration.
   fill_free_fall(trace, in.base_velocity.angular, load.gravity, d);
-  trace.output("tau", Role::joint_force, by_coordinate(trace, held.forces.tau));
-  trace.output("base_acceleration", Role::base_acceleration, held.base_acceleration);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, given.forces.tau));
+  trace.output("base_acceleration", Role::base_acceleration, given.base_acceleration);
   const int n = trace.tree.dof(), rows = 6 + n;
   trace.output("d_q", Role::matrix, rows, d.q);
   trace.output("d_qd", Role::matrix, rows, d.qd);
@@ -134,13 +133,13 @@ std::vector<std::pair<int, int>> elements_of_base_factor() {
 }
 
 // The numbers that columns are solved with: the factor of H_bb, and H_jb by columns.
-std::vector<Expression> base_factor(const HeldDerivatives& held) {
-  const LdlFactors factors = ldl_factors(held.inertia, kBaseNames);
+std::vector<Expression> base_factor(const FixedBaseDerivatives& given) {
+  const LdlFactors factors = ldl_factors(given.inertia, kBaseNames);
   std::vector<Expression> factor;
   for (const auto& [row, column] : elements_of_base_factor()) factor.push_back(factors.l(row, column));
   factor.insert(factor.end(), factors.inverse_d.begin(), factors.inverse_d.end());
   for (std::size_t k = 0; k < 6; ++k)
-    factor.insert(factor.end(), held.d.base_acceleration[k].begin() + 6, held.d.base_acceleration[k].end());
+    factor.insert(factor.end(), given.d.base_acceleration[k].begin() + 6, given.d.base_acceleration[k].end());
   return factor;
 }
 
@@ -156,13 +155,13 @@ symbolic::Program free_derivatives(
   const StateInputs in(trace, {State::position, State::velocity, State::acceleration, State::base_velocity});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  HeldDerivatives held = held_derivatives(robot, in, load);
+  FixedBaseDerivatives given = fixed_base_derivatives(robot, in, load);
   std::vector<Expression> factor;
   if (solutions == BaseSolutions::written_out)
-    release_base(held);
+    release_base(given);
   else
-    factor = base_factor(held);
-  write_outputs(trace, in, load, held);
+    factor = base_factor(given);
+  write_outputs(trace, in, load, given);
   if (!factor.empty()) trace.output("factor", Role::value, factor);
   return trace.program(name);
 }
@@ -191,7 +190,7 @@ symbolic::Program released_column(const model::KinematicTree& tree, const std::s
   x.insert(x.end(), b.begin() + 6, b.end());
   for (std::size_t k = 0; k < 6; ++k)
     for (std::size_t row = 6; row < x.size(); ++row) x[row] += *next++ * x[k];
-  for (std::size_t k = 0; k < x.size(); ++k) describe(x[k], "x_" + names[k]);
+  describe_elements("x", names, x);
   trace.output("x", Role::value, x);
   return trace.program(name);
 }

@@ -5,7 +5,7 @@
 #include "algorithm/dynamics/frame_bias.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/kinematics/chain_columns.h"
-#include "algorithm/kinematics/seen.h"
+#include "algorithm/kinematics/relative_motion.h"
 #include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
@@ -20,14 +20,14 @@ Frame base_frame(const KinematicTree& tree) {
   return tree.frames().front();
 }
 
-// A frame as seen from the base.
-Seen seen_from_base(
+// The motion of a frame relative to the base.
+RelativeMotion motion_in_base(
     Trace& trace,
     const Frame& frame,
     const std::vector<Expression>& q,
     const std::vector<Expression>& qd,
     const std::vector<Expression>& qdd) {
-  return seen_from(trace, path_from_target(trace.tree, {base_frame(trace.tree), frame}), q, qd, qdd);
+  return relative_motion(trace, path_from_target(trace.tree, {base_frame(trace.tree), frame}), q, qd, qdd);
 }
 
 // The joints from the base to a link.
@@ -50,15 +50,15 @@ void output_in_world(Trace& trace, const StateInputs& in, const char* name, cons
   trace.output(name, Role::value, in_axes(in.base_rotation, in_base, false));
 }
 
-// The velocity of a frame in axes of the base, angular and of its origin, from the frame as seen from the base.
-Motion velocity_with_base(const StateInputs& in, const Seen& frame) {
+// The velocity of a frame in axes of the base, angular and of its origin, from its motion relative to the base.
+Motion velocity_with_base(const StateInputs& in, const RelativeMotion& frame) {
   const Vector3 &w = in.base_velocity.angular, &v = in.base_velocity.linear;
   return {w + frame.w, v + cross(w, frame.position) + frame.velocity};
 }
 
 // The acceleration, with centripetal and Coriolis acceleration in the moving base (Siciliano et al., Robotics, 2009,
 // 7.2.1); the acceleration of the base is spatial.
-Motion acceleration_with_base(const StateInputs& in, const Seen& frame) {
+Motion acceleration_with_base(const StateInputs& in, const RelativeMotion& frame) {
   const auto& [w, v] = in.base_velocity;
   const auto& [wd, vd] = in.base_acceleration;
   const Vector3 twice = frame.velocity + frame.velocity;
@@ -94,7 +94,7 @@ Program acceleration(const KinematicTree& tree, const Frame& frame, Axes axes, b
   const StateInputs in(trace, list);
   const std::vector<Expression> qdd = is_bias ? trace.accelerations_at_rest() : in.qdd;
   if (of_world) {
-    output_in_world(trace, in, "a", acceleration_with_base(in, seen_from_base(trace, frame, in.q, in.qd, qdd)));
+    output_in_world(trace, in, "a", acceleration_with_base(in, motion_in_base(trace, frame, in.q, in.qd, qdd)));
   } else {
     trace.output("a", Role::value, acceleration_in_frame(trace, in, qdd, frame));
   }
@@ -107,7 +107,7 @@ Program world_transform(const KinematicTree& tree, const Frame& frame, const std
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::base_pose});
   const Path path = path_between(tree, {base_frame(tree), frame});
-  const Reached end = walk(trace, path, in.q, [](const PathSegment&, const Reached&) {});
+  const PathPose end = walk(trace, path, in.q, [](const PathSegment&, const PathPose&) {});
   trace.section("world", "in the world");
   const Matrix3 R = in.base_rotation * end.rotation;
   const Vector3 p = in.base_position + multiply(in.base_rotation, end.position);
@@ -124,9 +124,9 @@ Program world_position(const KinematicTree& tree, const Frame& frame, const std:
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::base_pose});
   const std::vector<Expression> none(tree.joints.size());
-  const Seen seen = seen_from_base(trace, frame, in.q, none, none);
+  const RelativeMotion motion = motion_in_base(trace, frame, in.q, none, none);
   trace.section("world", "in the world");
-  const Vector3 p = in.base_position + multiply(in.base_rotation, seen.position);
+  const Vector3 p = in.base_position + multiply(in.base_rotation, motion.position);
   trace.output("p", Role::position, std::vector<Expression>(p.element.begin(), p.element.end()));
   return trace.program(name);
 }
@@ -136,7 +136,7 @@ Program world_velocity(const KinematicTree& tree, const Frame& frame, Axes axes,
   if (axes == Axes::of_world) {
     const StateInputs in(trace, {State::position, State::velocity, State::base_pose, State::base_velocity});
     const std::vector<Expression> none(tree.joints.size());
-    output_in_world(trace, in, "v", velocity_with_base(in, seen_from_base(trace, frame, in.q, in.qd, none)));
+    output_in_world(trace, in, "v", velocity_with_base(in, motion_in_base(trace, frame, in.q, in.qd, none)));
     return trace.program(name);
   }
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});

@@ -1,4 +1,5 @@
-// Choices between forms of the same dynamics. Any of them can be switched off: results differ by rounding only.
+// The formulation of a robot's dynamics: link frames, inertias and algorithms. All formulations give the same results
+// up to rounding.
 #pragma once
 
 #include <memory>
@@ -11,20 +12,21 @@
 namespace robcogen::algorithm {
 
 struct Formulation {
-  bool base_parameters = true;  // mass properties that a joint does not feel move to the parent (base_parameters.h)
-  bool choose_forward_dynamics = true;  // by inertia matrix where that is faster; off: always articulated bodies
-  bool choose_frames = true;            // moved about and along joint axes, where that is cheaper (link_frames.h)
-  bool turn_inertia = true;             // rotate link inertias instead of motion vectors, where that is cheaper
-  bool choose_reverse_mode = true;      // for derivatives of programs, where that is cheaper; off: forward mode only
+  // Choices that can be switched off.
+  bool base_parameters = true;          // base inertial parameters instead of those of the links (base_parameters.h)
+  bool choose_forward_dynamics = true;  // by the inertia matrix where that is faster; off: always articulated bodies
+  bool choose_frames = true;            // link frames that cost less than the model's (link_frames.h)
+  bool turn_inertia = true;             // link inertias in the axes of the parent link, where that costs less
+  bool choose_reverse_mode = true;      // reverse mode for derivatives, where that costs less; off: forward mode
   int effort = 0;                       // of the search for link frames (frame_search.h); 0: no search
-  LinkFrames frames = {};               // the frames that were found; empty: the model's
+  LinkFrames frames = {};               // the frames that the search found; empty: the model's
 
-  // For traces that are only compared: names are left out, and the numbers of the model are precomputed (only together
-  // with `frames`).
+  // For programs that are only counted: their values have no names, and the numbers of the model are precomputed in
+  // `numbers` (only together with `frames`).
   bool is_draft = false;
   std::shared_ptr<const LinkNumbers> numbers = nullptr;
 
-  // For programs whose congruent limbs are to share lanes: the representative numbers of the limbs. Not for drafts.
+  // For programs that compute congruent limbs in lanes: the representative numbers of the limbs. Not for drafts.
   RepresentativeLinks representative = {};
 };
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "support/index.h"
 
 namespace robcogen::algorithm {
@@ -201,9 +201,7 @@ class LinkFrameBuilder {
       const std::optional<PlaneRotation>& rho = turned_by_[at(joint.child)];
       if (!rho) continue;
       model = turned(*rho, model);
-      mass = to_parent(Pose{{}, Rotation{{}, {*rho}}, {}}, mass);
-      describe(mass.first_moment, name + "_h");
-      describe(mass.pseudo_inertia, name + "_S");
+      mass = described(name, to_parent(Pose{{}, Rotation{{}, {*rho}}, {}}, mass));
     }
     return result;
   }

@@ -11,7 +11,8 @@
 namespace robcogen::algorithm {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // no representative: the number is kept
+// In place of a representative number: the number of the limb decides what folds.
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 template <class AnyPose>
 auto elements_of_pose(AnyPose& pose) {
@@ -26,7 +27,7 @@ auto elements_of_mass(AnyMass& mass) {
                     &S[1][0],   &S[1][1], &S[1][2], &S[2][0], &S[2][1], &S[2][2]};
 }
 
-// The number at one place of each limb; nullopt if the expression there is not constant.
+// One number of a pose or of mass properties in all limbs of a class, by limb; nullopt where it is not constant.
 using Numbers = std::vector<std::optional<double>>;
 
 std::optional<double> number_of(const Expression& e) {
@@ -48,9 +49,9 @@ bool fold_differently(const Numbers& numbers) {
   return some_but_not_all(0.0) || some_but_not_all(1.0);
 }
 
-// A mean of the magnitudes with a different weight for each limb: places that are equal in all limbs stay equal, and
-// other places hardly ever become equal.
-double typical_magnitude(const Numbers& numbers) {
+// The representative of magnitudes: their mean, weighted by 1, 2, 3, … by limb. Two numbers that are equal in each limb
+// have equal representatives; other numbers hardly ever have.
+double representative_magnitude(const Numbers& numbers) {
   double sum = 0.0, weights = 0.0, weight = 1.0;
   for (const auto& n : numbers) {
     sum += weight * std::abs(*n);
@@ -61,10 +62,10 @@ double typical_magnitude(const Numbers& numbers) {
 }
 
 // The representative number of each limb; kNothing if all have the same magnitude or some are not constant.
-std::vector<double> typical_numbers(const Numbers& numbers) {
+std::vector<double> representative_numbers(const Numbers& numbers) {
   std::vector<double> result(numbers.size(), kNothing);
   if (!are_numbers(numbers)) return result;
-  const double magnitude = typical_magnitude(numbers), first = std::abs(*numbers.front());
+  const double magnitude = representative_magnitude(numbers), first = std::abs(*numbers.front());
   if (std::all_of(numbers.begin(), numbers.end(), [&](const auto& n) { return std::abs(*n) == first; })) return result;
   for (std::size_t i = 0; i < numbers.size(); ++i) result[i] = *numbers[i] < 0.0 ? -magnitude : magnitude;
   return result;
@@ -152,7 +153,7 @@ std::vector<std::vector<RepresentativePlane>> representative_planes(const std::v
       s.push_back(plane ? number_of(plane->s) : 0.0);
       if (plane) common = {plane->axis, is_constant(*plane)};
     }
-    const std::vector<double> typical_c = typical_numbers(c), typical_s = typical_numbers(s);
+    const std::vector<double> typical_c = representative_numbers(c), typical_s = representative_numbers(s);
     for (std::size_t i = 0; i < of_limbs.size(); ++i)
       result[i].push_back({common.axis, common.is_constant, of_limbs[i] < 0, typical_c[i], typical_s[i]});
   }
@@ -221,7 +222,7 @@ RepresentativeLinks representative_links(
       for (std::size_t i = 0; i < planes[k].size(); ++i)
         result[at(limbs.joints[k][i])].planes = std::move(planes[k][i]);
       for (std::size_t place = 0; place < links[k].size(); ++place) {
-        const std::vector<double> typical = typical_numbers(links[k][place]);
+        const std::vector<double> typical = representative_numbers(links[k][place]);
         for (std::size_t i = 0; i < typical.size(); ++i) {
           RepresentativeLink& link = result[at(limbs.joints[k][i])];
           (place < link.pose.size() ? link.pose[place] : link.mass[place - link.pose.size()]) = typical[i];

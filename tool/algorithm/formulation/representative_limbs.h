@@ -1,9 +1,10 @@
-// Congruent limbs whose numbers fold in the same way.
+// Representative numbers of congruent limbs, with which constants fold in the same way in all limbs.
 //
-// A centre of mass may be on the axis in one leg and a millimetre off it in the others. Zeros and ones of single limbs
-// fold while a program is traced, so that limbs that could share the lanes of vectors get programs of different shape.
-// If the numbers of the recursions carry a representative number of their class (symbolic::Constant), only the zeros
-// and ones that all limbs of the class have fold.
+// A centre of mass may be on the axis in one leg and a millimetre off the axis in the others. A zero or one folds while
+// a program is traced. If it is one in a single limb only, the program of this limb has other statements than those of
+// the other limbs, and the limbs cannot be computed in the lanes of vectors. So the constants of the recursions carry a
+// representative number for all limbs of a class (symbolic::Constant), which decides what folds: only zeros and ones
+// that all limbs of the class have.
 #pragma once
 
 #include <array>

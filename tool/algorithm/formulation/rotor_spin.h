@@ -1,4 +1,4 @@
-// Moves the spin of rotors into the bodies of the robot.
+// Moves the momenta of rotors into the bodies of the robot.
 //
 // A rotor turns with the rate qd of its joint and has the momentum p qd, with p = J N a fixed in its carrier. If the
 // carrier is the parent or the child of the joint, the joint's axis e is fixed in it too. Let p = c e + b. The part c e

@@ -9,7 +9,7 @@
 
 #include "algorithm/identification/identifiable.h"
 #include "algorithm/kinematics/joint_poses.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::algorithm {
@@ -84,7 +84,8 @@ std::string sum_of(
 
 Program base_parameters(const model::KinematicTree& tree, const std::string& name, Loads loads) {
   Trace trace(tree);
-  const std::vector<Expression> given = trace.input("inertial_parameters", Role::value, inertial_parameter_names(tree));
+  const std::vector<Expression> given =
+      trace.quantity_input("inertial_parameters", Role::value, inertial_parameter_quantities(tree));
   const std::vector<Pose> at_rest = poses_at_rest(trace);
   const auto first = at(first_moving_link(tree));
   const std::vector<std::string> names = inertial_parameter_names(tree);
@@ -102,7 +103,7 @@ Program base_parameters(const model::KinematicTree& tree, const std::string& nam
     trace.section(of, "link ", ": base parameters");
     by_link[link] = take(trace.graph, combinations[link], numbers[link]);
     for (std::size_t r = 0; r < by_link[link].size(); ++r)
-      describe(by_link[link][r], of + "_beta" + std::to_string(r + 1));
+      described("beta" + std::to_string(r + 1), of, by_link[link][r]);
   };
   for (const int j : from_leaves) {
     const model::Joint& joint = tree.joints[at(j)];

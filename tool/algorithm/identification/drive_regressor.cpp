@@ -3,7 +3,7 @@
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/identification/reference_motion.h"
 #include "algorithm/identification/regressor.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -128,8 +128,7 @@ Program drive_regressor(const model::KinematicTree& tree, const std::string& nam
   for (const int j : model::independent_joints_first(tree)) {
     const model::Joint& joint = tree.joints[at(j)];
     trace.section(joint.name, "joint ", ": columns of its drive");
-    const Expression sign = smooth_sign(trace, joint.drive, in.qd[at(j)]);
-    describe(sign, joint.name + "_sign");
+    const Expression sign = described("sign", joint.name, smooth_sign(trace, joint.drive, in.qd[at(j)]));
     const Expression position = joint.spherical.empty() ? in.q[at(j)] : Expression();
     for (const Expression& element : {in.qdd[at(j)], in.qd[at(j)], sign, position, trace.graph.one()}) {
       columns.emplace_back(at(rows));

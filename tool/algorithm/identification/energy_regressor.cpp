@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "algorithm/identification/regressor.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -10,14 +10,14 @@ namespace {
 using symbolic::Program;
 using symbolic::Role;
 
-// Gravity for a link: in link axes, and as minus the potential of its origin per unit of mass.
-struct Lift {
+// Gravity in link axes, and minus the potential energy of a mass of 1 kg at the origin of the link (J).
+struct LinkGravity {
   Vector3 gravity;
   Expression height;
 };
 
-Lift to_child(const Pose& X_PC, const Lift& parent) {
-  Lift child;
+LinkGravity to_child(const Pose& X_PC, const LinkGravity& parent) {
+  LinkGravity child;
   child.gravity = algorithm::to_child(X_PC.rotation, parent.gravity);
   child.height = parent.height + dot(parent.gravity, X_PC.offset);
   child.height += child.gravity[2] * X_PC.slide;
@@ -46,27 +46,25 @@ Program energy_regressor(
   const TracedRobot robot(trace, in.q, representative);
   const int first = first_moving_link(tree);
   std::vector<Expression> Y(at(2 * inertial_parameter_count(tree)));
-  const std::function<void(int, const Motion&, const Lift&)> visit = [&](int link, const Motion& twist,
-                                                                         const Lift& lift) {
+  const std::function<void(int, const Motion&, const LinkGravity&)> visit = [&](int link, const Motion& twist,
+                                                                                const LinkGravity& of_link) {
     if (link >= first && !tree.links[at(link)].is_repeated) {
       const std::array<Expression, kParametersOfLink> of_twist = kinetic(twist);
       std::size_t place = at(2 * kParametersOfLink * (link - first));
       for (std::size_t p = 0; p < of_twist.size(); ++p, place += 2) Y[place] = of_twist[p];
       place = at(2 * kParametersOfLink * (link - first)) + 1;
-      Y[place] = -lift.height;
-      for (std::size_t i = 0; i < 3; ++i) Y[place + 2 * (i + 1)] = -lift.gravity[i];
+      Y[place] = -of_link.height;
+      for (std::size_t i = 0; i < 3; ++i) Y[place + 2 * (i + 1)] = -of_link.gravity[i];
     }
     for (const Joint& joint : robot.children(link)) {
       const std::string& child = robot.link_name(joint.child);
       trace.section(child, "link ", ": velocity, gravity and energies");
       const Pose& X_PC = robot.pose(joint.index);
-      const Motion moved = across_joint(joint, X_PC, twist, in.qd);
-      algorithm::name(trace.graph, moved.angular, child + "_w");
-      algorithm::name(trace.graph, moved.linear, child + "_v");
-      const Lift lifted = to_child(X_PC, lift);
-      describe(lifted.gravity, child + "_g");
-      describe(lifted.height, child + "_height");
-      visit(joint.child, moved, lifted);
+      const Motion moved = named(child, across_joint(joint, X_PC, twist, in.qd));
+      const LinkGravity of_child = to_child(X_PC, of_link);
+      described("g", child, of_child.gravity);
+      described("height", child, of_child.height);
+      visit(joint.child, moved, of_child);
     }
   };
   visit(0, in.base_velocity, {load.gravity, Expression()});

@@ -1,9 +1,9 @@
 // The combinations of inertial parameters that a robot's motions can tell apart.
 //
 // Forces depend on the parameters of a link, and of all beyond it, only in the combinations that a joint below feels:
-// the power of a possible motion against the change of another. Seen from a link, these are linear functions of ten
-// numbers; those that must not change when the joint moves follow by differentiation, and so on from the base to the
-// leaves: no sample of states, and no rank of a large matrix, is needed. The count is minimal where joints are not
+// the power of a possible motion against the change of another. RelativeMotion from a link, these are linear functions
+// of ten numbers; those that must not change when the joint moves follow by differentiation, and so on from the base to
+// the leaves: no sample of states, and no rank of a large matrix, is needed. The count is minimal where joints are not
 // coupled. (The idea of Wensing, Niemeyer and Slotine 2017; rules for the same: Khalil and Bennis 1995.)
 #pragma once
 

@@ -1,5 +1,7 @@
 #include "algorithm/identification/inertial_parameters.h"
 
+#include <memory>
+
 namespace robcogen::algorithm {
 
 MassProperties mass_properties(const InertialNumbers& numbers, Moments moments) {
@@ -30,11 +32,23 @@ int inertial_parameter_count(const model::KinematicTree& tree) {
   return kParametersOfLink * (tree.link_count() - first_moving_link(tree));
 }
 
+std::vector<symbolic::QuantityRef> inertial_parameter_quantities(const model::KinematicTree& tree) {
+  std::vector<symbolic::QuantityRef> quantities;
+  for (std::size_t i = at(first_moving_link(tree)); i < at(tree.link_count()); ++i) {
+    const auto add = [&](const char* symbol, const char* element) {
+      quantities.push_back(
+          std::make_shared<const symbolic::Quantity>(symbolic::Quantity{tree.links[i].name, symbol, element}));
+    };
+    add("m", "");
+    for (const char* axis : {"x", "y", "z"}) add("h", axis);
+    for (const char* axes : {"xx", "yy", "zz", "xy", "xz", "yz"}) add("I", axes);
+  }
+  return quantities;
+}
+
 std::vector<std::string> inertial_parameter_names(const model::KinematicTree& tree) {
   std::vector<std::string> names;
-  for (std::size_t i = at(first_moving_link(tree)); i < at(tree.link_count()); ++i)
-    for (const char* parameter : {"m", "hx", "hy", "hz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"})
-      names.push_back(tree.links[i].name + "_" + parameter);
+  for (const symbolic::QuantityRef& parameter : inertial_parameter_quantities(tree)) names.push_back(text(*parameter));
   return names;
 }
 

@@ -28,6 +28,7 @@ InertialNumbers inertial_numbers(const MassProperties& body, Moments moments = M
 int first_moving_link(const model::KinematicTree& tree);
 int inertial_parameter_count(const model::KinematicTree& tree);
 // `lowerarm_m`, `lowerarm_hx`, …, `lowerarm_Ixx`, …: labels of these parameters.
+std::vector<symbolic::QuantityRef> inertial_parameter_quantities(const model::KinematicTree& tree);
 std::vector<std::string> inertial_parameter_names(const model::KinematicTree& tree);
 
 // -> pi: the numbers of the document; they depend on its parameters alone.

@@ -1,6 +1,6 @@
 #include "algorithm/identification/reference_motion.h"
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -110,24 +110,21 @@ Expression VelocityChange::u(std::size_t row, std::size_t column) const {
   return column == (row + 1) % 3 ? products_[other] - axis_[other] : products_[other] + axis_[other];
 }
 
-void name(Graph& graph, const ReferenceMotion& motion, const std::string& link) {
-  if (!graph.keeps_names()) return;
-  name(graph, motion.w, link + "_w");
-  if (!is_actual(motion)) name(graph, motion.r, link + "_r");
-  name(graph, motion.rd, link + (is_actual(motion) ? "_wd" : "_rd"));
-  name(graph, motion.a, link + "_a");
+ReferenceMotion named(const std::string& link, const ReferenceMotion& motion) {
+  named("w", link, motion.w);
+  if (!is_actual(motion)) named("r", link, motion.r);
+  named(is_actual(motion) ? "wd" : "rd", link, motion.rd);
+  named("a", link, motion.a);
+  return motion;
 }
 
 void describe(const VelocityChange& change, const std::string& link) {
-  if (!keeps_names(change.a()) && !keeps_names(change.axis())) return;
-  constexpr const char* axes = "xyz";
-  for (std::size_t r = 0; r < 3; ++r) {
+  for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 3; ++c) {
-      describe(change.u(r, c), link + "_U" + axes[r] + axes[c]);
-      if (c > r) describe(change.product(r, c), link + "_w" + axes[r] + "_w" + axes[c]);
+      described_u(link, r, c, change.u(r, c));
+      if (c > r) described_product_of_w(link, r, c, change.product(r, c));
     }
-    describe(change.axis()[r], link + "_axis_" + axes[r]);
-  }
+  described("", {link, "axis"}, change.axis());
 }
 
 }  // namespace robcogen::algorithm

@@ -58,8 +58,8 @@ class VelocityChange {
   Vector3 squares_;   // of each component
 };
 
-// Names the motion, and describes the parts of U, after the link.
-void name(Graph& graph, const ReferenceMotion& motion, const std::string& link);
+// named.h for the motion, and `described` for the parts of U.
+ReferenceMotion named(const std::string& link, const ReferenceMotion& motion);
 void describe(const VelocityChange& change, const std::string& link);
 
 }  // namespace robcogen::algorithm

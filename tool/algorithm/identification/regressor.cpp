@@ -9,7 +9,7 @@
 #include "algorithm/identification/reference_motion.h"
 #include "algorithm/kinematics/joint_poses.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -173,12 +173,10 @@ class RegressorBuilder {
       const Pose& X_PC = robot_.pose(joint.index);
       const std::string& name = robot_.link_name(joint.child);
       trace.section(name, "link ", ": motion");
-      const ReferenceMotion child = across_joint(trace.graph, joint, X_PC, motion, rates);
-      algorithm::name(trace.graph, child, name);
+      const ReferenceMotion child = named(name, across_joint(trace.graph, joint, X_PC, motion, rates));
       std::vector<UnitMotion> carried;
       for (const UnitMotion& unit : units) {
-        carried.push_back({unit.row, to_child(X_PC, unit.motion)});
-        describe(carried.back().motion, row_name(unit.row) + "_" + name);
+        carried.push_back({unit.row, described(at_link(row_name(unit.row), name), to_child(X_PC, unit.motion))});
       }
       carried.push_back({base_rows_ + joint.index, subspace(joint, trace.graph)});
       visit(joint.child, child, carried, rates);
@@ -207,8 +205,7 @@ class RegressorBuilder {
       const Entries row = is_own || robot_.is_base(link) ? all(entries, unit.motion)
                                                          : cheapest(entries, unit, parent_of(link), transfers);
       for (std::size_t p = 0; p < row.size(); ++p) {
-        own[p][at(unit.row)] = row[p];
-        if (keeps_names(row[p])) describe(row[p], "Y_" + row_name(unit.row) + "_" + names_[first + p]);
+        own[p][at(unit.row)] = described(coordinates("Y", row_name(unit.row), names_[first + p]), row[p]);
       }
     }
   }
@@ -295,7 +292,7 @@ std::vector<LinkColumns> columns_of(
     const std::vector<ReferenceRate>& rates,
     const RepresentativeLinks& representative,
     Moments moments = Moments::of_inertia) {
-  algorithm::name(robot.trace.graph, base, robot.link_name(0));
+  named(robot.link_name(0), base);
   RegressorBuilder builder(robot, representative, moments);
   builder.visit_base(base, rates);
   return std::move(builder.columns);

@@ -5,6 +5,7 @@
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
+#include "algorithm/spatial/named.h"
 #include "algorithm/spatial/triangle.h"
 #include "model/named_frame.h"
 
@@ -40,7 +41,7 @@ class TracedActuators {
     lengths.push_back(
         is_about_one_axis ? about_one_axis(frames, joints.front(), arms ? &made : nullptr)
                           : along_chain(frames, arms ? &made : nullptr));
-    trace_.graph.describe(lengths.back(), actuator.name + "_length");
+    described("length", actuator.name, lengths.back());
     if (arms) arms->push_back(std::move(made));
   }
 
@@ -88,7 +89,7 @@ class TracedActuators {
   // The origin of `other` in `frame`, in which it does not move.
   Vector3 point_in(const Frame& frame, const Frame& other) {
     const Path path = path_between(trace_.tree, {frame, other});
-    return walk(trace_, path, q_, [](const PathSegment&, const Reached&) {}).position;
+    return walk(trace_, path, q_, [](const PathSegment&, const PathPose&) {}).position;
   }
 };
 

@@ -4,7 +4,7 @@
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"
-#include "algorithm/kinematics/seen.h"
+#include "algorithm/kinematics/relative_motion.h"
 #include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
@@ -33,10 +33,10 @@ void add_changes_of_shares(
     const std::vector<Motion>& J,
     const std::vector<Expression>& qd,
     std::vector<Motion>& by_coordinate) {
-  const std::vector<std::vector<Share>> changes = share_rates(trace, qd);
+  const std::vector<std::vector<MovedJoint>> changes = moved_joint_rates(trace, qd);
   const std::vector<int> coordinates = coordinates_of(trace.tree, joints);
   for (std::size_t k = 0; k < coordinates.size(); ++k)
-    for (const Share& change : changes[at(coordinates[k])])
+    for (const MovedJoint& change : changes[at(coordinates[k])])
       for (std::size_t i = 0; i < joints.size(); ++i)
         if (joints[i] == change.joint) by_coordinate[k] += change.factor * J[i];
 }
@@ -91,7 +91,7 @@ Program jacobian_derivative_times_velocity(
   const auto qd = trace.joint_input("qd", Role::joint_velocity);
   const Path path = path_from_target(tree, frames);
   const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const Seen target = seen_from(trace, path, q, qd, at_rest);
+  const RelativeMotion target = relative_motion(trace, path, q, qd, at_rest);
   trace.output("a", Role::frame_bias_acceleration, Motion{target.wd, target.acceleration});
   return trace.program(name);
 }
@@ -104,7 +104,7 @@ Program jacobian_derivative(const model::KinematicTree& tree, const model::Frame
   std::vector<int> joints;
   Vector3 w, velocity, last;  // of the frame reached, and of its point at `last`
   const Path path = path_between(tree, frames);
-  const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
+  const PathPose end = walk(trace, path, q, [&](const PathSegment& segment, const PathPose& here) {
     velocity += cross(w, here.position - last);
     last = here.position;
     std::vector<Motion> own;

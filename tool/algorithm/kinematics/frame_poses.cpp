@@ -18,14 +18,14 @@ void advance_along(
     const Frame& from,
     const Frame& to,
     const std::vector<Expression>& q,
-    Reached& here) {
+    PathPose& here) {
   for (const PathSegment& segment : path_between(trace.tree, motions, {from, to}))
     advance(here, pose_of(trace, segment, q));
 }
 
 // Forgets how the rotation was reached, except for its last factor, which merges with a turn about the same axis: the
 // history would grow along a chain, and with it the time of each step.
-void forget(Reached& here) {
+void forget(PathPose& here) {
   constexpr std::ptrdiff_t kAngles = 8;
   const auto shorten = [](auto& list, std::ptrdiff_t count) {
     if (std::ssize(list) > count) list.erase(list.begin(), list.end() - count);
@@ -49,7 +49,7 @@ class Placing {
     place_links();
     std::vector<Expression> values;
     for (const Frame& frame : frames_) {
-      Reached here = links_[at(trace_.tree.link_of(frame))];
+      PathPose here = links_[at(trace_.tree.link_of(frame))];
       if (frame.kind == Frame::Kind::link) {
         here = links_[at(frame.index)];
       } else {
@@ -68,7 +68,7 @@ class Placing {
   const std::vector<Expression>& q_;
   model::RigidMotions motions_;
   model::MotionGraph graph_;
-  std::vector<Reached> links_;  // in the base; not of repeated links
+  std::vector<PathPose> links_;  // in the base; not of repeated links
   std::vector<Frame> frames_;
 
   Frame link_frame(int link) const {
@@ -85,10 +85,10 @@ class Placing {
       open.pop_back();
       for (const int child : children_of(link)) {
         trace_.section(tree.links[at(child)].name, "link ", "");
-        Reached here = links_[at(link)];
+        PathPose here = links_[at(link)];
         advance_along(trace_, graph_, link_frame(link), link_frame(child), q_, here);
         forget(here);
-        name_reached(trace_.graph, here, tree.links[at(child)].name);
+        name_path_pose(here, tree.links[at(child)].name);
         links_[at(child)] = std::move(here);
         open.push_back(child);
       }

@@ -47,7 +47,7 @@ ChainColumns chain_columns(
   const Path path = path_between(trace.tree, back ? model::FramePair{frames.right, frames.left} : frames);
   std::vector<Column> columns;
   ChainColumns result;
-  const Reached end = walk(trace, path, q, [&](const PathSegment& segment, const Reached& here) {
+  const PathPose end = walk(trace, path, q, [&](const PathSegment& segment, const PathPose& here) {
     std::vector<JointOnPath> passed = segment.joints;
     if (back) std::reverse(passed.begin(), passed.end());
     for (const auto& [joint, backward] : passed) {
@@ -89,7 +89,7 @@ std::vector<Motion> columns_with_base(
   if (tree.floating_base) {
     const model::Frame& seen_from = reference == JacobianReference::in_target ? frames.right : frames.left;
     const Path to_base = path_between(tree, {seen_from, tree.frames().front()});
-    const Reached base = walk(trace, to_base, q, [](const PathSegment&, const Reached&) {});
+    const PathPose base = walk(trace, to_base, q, [](const PathSegment&, const PathPose&) {});
     const Vector3 arm = chain.point - base.position;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3 axis = column(base.rotation, k);
@@ -99,7 +99,7 @@ std::vector<Motion> columns_with_base(
   }
   std::vector<Motion> by_joint(tree.joints.size());
   for (std::size_t k = 0; k < chain.joints.size(); ++k) by_joint[at(chain.joints[k])] = chain.columns[k];
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     columns.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   return columns;
 }

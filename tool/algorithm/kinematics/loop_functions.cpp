@@ -17,9 +17,9 @@ model::FramePair frames_of(const model::KinematicTree& tree, const model::LoopJo
 }
 
 // The second frame of a loop in its first one.
-Reached second_in_first(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) {
+PathPose second_in_first(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) {
   const Path path = path_between(trace.tree, frames_of(trace.tree, loop));
-  return walk(trace, path, q, [](const PathSegment&, const Reached&) {});
+  return walk(trace, path, q, [](const PathSegment&, const PathPose&) {});
 }
 
 bool fixes_axes(model::LoopType type) {
@@ -43,7 +43,7 @@ std::vector<Expression> of_point(model::LoopType type, const Vector3& p) {
 }
 
 std::vector<Expression> error_of(Trace& trace, const model::LoopJoint& loop, const std::vector<Expression>& q) {
-  const Reached second = second_in_first(trace, loop, q);
+  const PathPose second = second_in_first(trace, loop, q);
   const Vector3& p = second.position;
   if (loop.type == model::LoopType::distance) return {sqrt(dot(p, p)) - trace.lift(loop.length)};
   std::vector<Expression> rows = of_point(loop.type, p);
@@ -163,15 +163,15 @@ Program close_loops(const model::KinematicTree& tree, const std::string& name) {
 }
 
 symbolic::FollowerRates follower_rates(const model::KinematicTree& tree) {
-  const std::vector<int> followers = tree.followers_in_q();
-  if (followers.empty()) return std::nullopt;
+  const std::vector<int> dependents = tree.followers_in_q();
+  if (dependents.empty()) return std::nullopt;
   Trace trace(tree);
   trace.joint_input("q", Role::joint_position);
-  Columns columns(at(tree.dof()), std::vector<Expression>(followers.size()));
-  for (std::size_t row = 0; row < followers.size(); ++row)
-    for (const RateShare& share : trace.rates_of(*tree.coupling_of(followers[row])))
+  Columns columns(at(tree.dof()), std::vector<Expression>(dependents.size()));
+  for (std::size_t row = 0; row < dependents.size(); ++row)
+    for (const RateTerm& share : trace.rates_of(*tree.coupling_of(dependents[row])))
       columns[at(tree.coordinate_of(share.joint))][row] = share.factor;
-  trace.output("rates", Role::matrix, static_cast<int>(followers.size()), columns);
+  trace.output("rates", Role::matrix, static_cast<int>(dependents.size()), columns);
   return trace.program("follower_rates");
 }
 

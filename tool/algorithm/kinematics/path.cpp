@@ -66,18 +66,18 @@ Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<
   return pose_of(trace, segment.primitives, variables);
 }
 
-Reached walk(
+PathPose walk(
     ProgramTrace& trace,
     const Path& path,
     const std::vector<Expression>& variables,
-    const std::function<void(const PathSegment&, const Reached&)>& behind,
+    const std::function<void(const PathSegment&, const PathPose&)>& behind,
     int moment_from) {
-  Reached here = start(trace.graph, moment_from);
+  PathPose here = start(trace.graph, moment_from);
   for (const PathSegment& segment : path) {
     advance(here, pose_of(trace, segment, variables));
     if (segment.subject.empty()) continue;
     behind(segment, here);
-    name_reached(trace.graph, here, segment.subject);
+    name_path_pose(here, segment.subject);
   }
   return here;
 }
@@ -101,7 +101,7 @@ void output_transform(
     const std::vector<Expression>& variables,
     TransformForm form,
     int moment_from) {
-  const auto nothing = [](const PathSegment&, const Reached&) {};
+  const auto nothing = [](const PathSegment&, const PathPose&) {};
   output_transform(trace, walk(trace, path, variables, nothing, moment_from), form);
 }
 

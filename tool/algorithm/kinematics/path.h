@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/kinematics/reached.h"
+#include "algorithm/kinematics/path_pose.h"
 #include "algorithm/spatial/joint.h"
 
 namespace robcogen::algorithm {
@@ -41,12 +41,12 @@ Pose pose_of(ProgramTrace& trace, const PathSegment& segment, const std::vector<
 
 // Follows the whole path and returns its end. Calls behind(segment, here) after each segment but the last. If a segment
 // ends at a joint, the joint's motion subspace is constant in the axes there.
-Reached walk(
+PathPose walk(
     ProgramTrace& trace,
     const Path& path,
     const std::vector<Expression>& variables,
-    const std::function<void(const PathSegment&, const Reached&)>& behind,
-    int moment_from = Reached::kNoSegment);
+    const std::function<void(const PathSegment&, const PathPose&)>& behind,
+    int moment_from = PathPose::kNoSegment);
 
 // The program of a robot's coordinate_transform (kinematics.h), for a path from left to right.
 symbolic::Program transform_along(

@@ -2,7 +2,7 @@
 #include "algorithm/kinematics/chain_columns.h"
 #include "algorithm/kinematics/path.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -28,12 +28,11 @@ std::vector<Vector3> from_point(Trace& trace, const std::vector<Expression>& q, 
     }
     const Pose pose = pose_of(trace, *segment, q);
     point[2] += pose.slide;
-    point = pose.offset + to_parent(pose.rotation, point);
     const std::string& name = segment->subject.empty() ? frames.right.name : segment->subject;
-    describe(point, name + "_p");
+    point = described("p", name, pose.offset + to_parent(pose.rotation, point));
     for (const int joint : passed) {
-      by_joint[at(joint)] = to_parent(pose.rotation, by_joint[at(joint)]);
-      describe(by_joint[at(joint)], name + "_J_" + tree.joints[at(joint)].name + "_");
+      const Label column = at_link(tree.joints[at(joint)].name, name);
+      by_joint[at(joint)] = described("J", column, to_parent(pose.rotation, by_joint[at(joint)]));
     }
   }
   std::vector<Vector3> columns;
@@ -41,7 +40,7 @@ std::vector<Vector3> from_point(Trace& trace, const std::vector<Expression>& q, 
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(cross(unit_vector(trace.graph, k), point));
     for (std::size_t k = 0; k < 3; ++k) columns.push_back(unit_vector(trace.graph, k));
   }
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     columns.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   return columns;
 }

@@ -1,16 +1,16 @@
-// Finds corresponding frames for congruent limbs.
+// Link frames that correspond in congruent limbs.
 //
-// The search gives each limb the frames that cost least for it. If limbs differ by rounding, like those of a mirrored
-// gripper that was turned by 3.14159, these frames need not correspond, and limbs that could share the lanes of vectors
-// get programs of different shape.
+// The search gives each limb the frames that cost least for that limb. If limbs differ by rounding, as the fingers of a
+// gripper do whose second finger is the first one turned by 3.14159, the frames of two limbs need not correspond. Then
+// the programs of the limbs have different statements, and the limbs cannot be computed in the lanes of vectors.
 #pragma once
 
 #include "algorithm/formulation/formulation.h"
 
 namespace robcogen::algorithm {
 
-// The frames of the formulation, except that limbs that can share lanes follow the first limb of their class, by the
-// same rules (frame_candidates.h). Limbs without such frames keep theirs, and so do those whose frames correspond.
+// The frames of the formulation, except in limbs that can be computed in lanes: these get the frames that the rules of
+// the first limb's frames (frame_candidates.h) give them. Limbs for which a rule has no candidate keep their frames.
 LinkFrames corresponding_frames(const model::KinematicTree& tree, const Formulation& formulation);
 
 }  // namespace robcogen::algorithm

@@ -1,7 +1,8 @@
-// Turns and slides of link frames that make numbers vanish and move no frame further than the robot is long.
+// Candidates for link frames: rotations about a joint's axis, and translations along it, that make numbers of the model
+// zero in the new frames. No candidate moves a frame by more than the length of the robot.
 //
-// Here, axes that are parallel up to rounding in the model's numbers count as parallel, and zeros and directions are
-// treated likewise. Programs still compute with the numbers of the model.
+// To find candidates, axes count as parallel, and numbers as zero or equal, if they are so up to the rounding of the
+// numbers in the model. Programs compute with the numbers of the model.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@
 
 namespace robcogen::algorithm {
 
-// A value and the rule that gives it. The same rule gives two congruent limbs corresponding frames.
+// A value, and the rule that gives it. In congruent limbs, one rule gives corresponding frames.
 struct Candidate {
   int rule = 0;
   model::Quantity value;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithm/spatial/named.h"
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -14,7 +15,7 @@ std::unique_ptr<TracedClosure> traced(Trace& trace, const model::Closure& closur
   auto result = closure.method == Method::planar ? traced_in_plane(trace, closure, q, Positions::solved)
                                                  : traced_distance(trace, closure, q, Positions::solved);
   for (const int joint : closure.dependents)
-    trace.graph.describe(q[at(joint)], "q_" + trace.tree.joints[at(joint)].name);
+    described(coordinate("q", trace.tree.joints[at(joint)].name), q[at(joint)]);
   return result;
 }
 
@@ -54,7 +55,7 @@ const DependentColumns& TracedClosure::dependent_columns() {
   return dependent_columns_.emplace(trace_.graph, dependent);
 }
 
-const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
+const std::vector<std::vector<RateTerm>>& TracedClosure::rates() {
   if (!rates_.empty()) return rates_;
   const DependentColumns& dependent = dependent_columns();
   rates_.resize(closure_.dependents.size());
@@ -63,8 +64,8 @@ const std::vector<std::vector<RateShare>>& TracedClosure::rates() {
     const std::vector<Expression> moved = dependent.solve(column.rows);
     for (std::size_t d = 0; d < rates_.size(); ++d) {
       rates_[d].push_back({column.joint, -moved[d]});
-      const std::string& follower = trace_.tree.joints[at(closure_.dependents[d])].name;
-      trace_.graph.describe(rates_[d].back().factor, "d_" + follower + "_" + trace_.tree.joints[at(column.joint)].name);
+      const std::string& dependent = trace_.tree.joints[at(closure_.dependents[d])].name;
+      described(coordinates("d", dependent, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
     }
   }
   return rates_;

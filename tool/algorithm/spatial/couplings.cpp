@@ -4,13 +4,13 @@
 
 namespace robcogen::algorithm {
 
-std::vector<std::vector<Share>> shares(Trace& trace) {
+std::vector<std::vector<MovedJoint>> moved_joints(Trace& trace) {
   const model::KinematicTree& tree = trace.tree;
-  std::vector<std::vector<Share>> result;
+  std::vector<std::vector<MovedJoint>> result;
   for (const int joint : tree.coordinates()) result.push_back({{joint, Expression()}});
   for (const model::Coupling& coupling : tree.couplings) {
     if (!coupling.is_linear()) {
-      for (const RateShare& share : trace.rates_of(coupling))
+      for (const RateTerm& share : trace.rates_of(coupling))
         result[at(tree.coordinate_of(share.joint))].push_back({coupling.joint, share.factor});
       continue;
     }
@@ -20,14 +20,14 @@ std::vector<std::vector<Share>> shares(Trace& trace) {
   return result;
 }
 
-std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expression>& qd) {
-  std::vector<std::vector<Share>> result;
-  for (const std::vector<Share>& moved : shares(trace)) {
+std::vector<std::vector<MovedJoint>> moved_joint_rates(Trace& trace, const std::vector<Expression>& qd) {
+  std::vector<std::vector<MovedJoint>> result;
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     std::vector<Expression> unit(trace.tree.joints.size());
     unit[at(moved.front().joint)] = trace.graph.one();
     for (std::size_t k = 1; k < moved.size(); ++k) unit[at(moved[k].joint)] = moved[k].factor;
     const std::vector<Expression> added = trace.added_by_loops(qd, unit);
-    std::vector<Share>& changes = result.emplace_back();
+    std::vector<MovedJoint>& changes = result.emplace_back();
     for (std::size_t j = 0; j < added.size(); ++j)
       if (!added[j].is_zero()) changes.push_back({static_cast<int>(j), added[j]});
   }
@@ -37,7 +37,7 @@ std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expr
 std::vector<Expression> by_coordinate(Trace& trace, const std::vector<Expression>& by_joint) {
   if (trace.tree.couplings.empty()) return by_joint;
   std::vector<Expression> result;
-  for (const std::vector<Share>& moved : shares(trace))
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace))
     result.push_back(sum_of(moved, [&](int joint) { return by_joint[at(joint)]; }));
   return result;
 }
@@ -48,23 +48,23 @@ namespace {
 class ReducedMatrix {
  public:
   ReducedMatrix(Trace& trace, const SquareMatrix& by_joint, int base)
-      : shares_(shares(trace)), by_joint_(by_joint), base_(base) {}
+      : moved_(moved_joints(trace)), by_joint_(by_joint), base_(base) {}
 
-  int size() const { return base_ + static_cast<int>(shares_.size()); }
+  int size() const { return base_ + static_cast<int>(moved_.size()); }
   Expression element(int row, int column) const {
     if (row < base_) return times_G(row, column);
-    return sum_of(shares_[at(row - base_)], [&](int joint) { return times_G(base_ + joint, column); });
+    return sum_of(moved_[at(row - base_)], [&](int joint) { return times_G(base_ + joint, column); });
   }
 
  private:
-  std::vector<std::vector<Share>> shares_;
+  std::vector<std::vector<MovedJoint>> moved_;
   const SquareMatrix& by_joint_;
   int base_;
 
   // An element of m G, whose rows are those of joints.
   Expression times_G(int row, int column) const {
     if (column < base_) return by_joint_(row, column);
-    return sum_of(shares_[at(column - base_)], [&](int joint) { return by_joint_(row, base_ + joint); });
+    return sum_of(moved_[at(column - base_)], [&](int joint) { return by_joint_(row, base_ + joint); });
   }
 };
 
@@ -89,12 +89,12 @@ SquareMatrix coriolis_by_coordinate(
     const SquareMatrix& H,
     const std::vector<Expression>& qd,
     int base) {
-  const std::vector<std::vector<Share>> rows = shares(trace), changes = share_rates(trace, qd);
+  const std::vector<std::vector<MovedJoint>> rows = moved_joints(trace), changes = moved_joint_rates(trace, qd);
   SquareMatrix result = by_coordinate(trace, C, base, Symmetry::none);
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const auto of_changes = [&](int row) {
       Expression sum;
-      for (const Share& share : changes[i]) sum += H(row, base + share.joint) * share.factor;
+      for (const MovedJoint& change : changes[i]) sum += H(row, base + change.joint) * change.factor;
       return sum;
     };
     const int column = base + static_cast<int>(i);
@@ -108,11 +108,11 @@ SquareMatrix coriolis_by_coordinate(
 
 Columns rows_by_coordinate(Trace& trace, const Columns& columns, int base) {
   if (trace.tree.couplings.empty()) return columns;
-  const std::vector<std::vector<Share>> moved = shares(trace);
+  const std::vector<std::vector<MovedJoint>> moved = moved_joints(trace);
   Columns result;
   for (const std::vector<Expression>& column : columns) {
     std::vector<Expression>& reduced = result.emplace_back(column.begin(), column.begin() + base);
-    for (const std::vector<Share>& rows : moved)
+    for (const std::vector<MovedJoint>& rows : moved)
       reduced.push_back(sum_of(rows, [&](int joint) { return column[at(base + joint)]; }));
   }
   return result;
@@ -122,7 +122,7 @@ Columns by_coordinate(Trace& trace, const Columns& by_joint, int base) {
   if (trace.tree.couplings.empty()) return by_joint;
   const Columns columns = rows_by_coordinate(trace, by_joint, base);
   Columns result;
-  for (const std::vector<Share>& moved : shares(trace)) {
+  for (const std::vector<MovedJoint>& moved : moved_joints(trace)) {
     std::vector<Expression>& sum = result.emplace_back();
     for (std::size_t row = 0; row < columns.front().size(); ++row)
       sum.push_back(sum_of(moved, [&](int joint) { return columns[at(joint)][row]; }));
@@ -135,7 +135,7 @@ std::vector<Motion> columns_by_coordinate(
     const std::vector<int>& joints,
     const std::vector<Motion>& columns) {
   if (trace.tree.couplings.empty()) return columns;
-  const std::vector<std::vector<Share>> moved = shares(trace);
+  const std::vector<std::vector<MovedJoint>> moved = moved_joints(trace);
   std::vector<Motion> result;
   for (const int coordinate : coordinates_of(trace.tree, joints)) {
     const auto column = [&](int joint) {

@@ -1,7 +1,7 @@
-// Coupled joints. Their positions q follow independent coordinates y: q = G y + c with constant G, so that qd = G yd
-// and qdd = G ydd. Through loops (closures.h) G changes with q, and qdd = G ydd + dG/dt yd. By virtual work, the forces
-// tau of the joints are the forces G' tau of the coordinates. Everything is traced over joints; inputs and outputs are
-// over coordinates (Jain 2012, constraint embedding).
+// Coupled joints (Jain 2012, constraint embedding). The positions q of all joints follow from independent coordinates
+// y. Linear couplings: q = G y + c with constant G, so that qd = G yd and qdd = G ydd. Loops (closures.h): G depends on
+// q, and qdd = G ydd + dG/dt yd. By virtual work, forces tau of the joints correspond to forces G' tau of the
+// coordinates. Algorithms compute with all joints; inputs and outputs of programs are by coordinate.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace robcogen::algorithm {
 
-// A joint that a coordinate moves, and by how much: an element of G.
-struct Share {
+// A joint that a coordinate moves, and the element of G: the rate of the joint per rate of the coordinate.
+struct MovedJoint {
   int joint = 0;
   Expression factor;
 };
 
-// By coordinate: the joints that it moves. The first one is the joint whose position it is; its factor is one and is
-// not set.
-std::vector<std::vector<Share>> shares(Trace& trace);
+// By coordinate: the joints that it moves, a column of G. The first joint is the one whose position is the coordinate;
+// its factor is one and is not set.
+std::vector<std::vector<MovedJoint>> moved_joints(Trace& trace);
 
-// dG/dt, for joints that follow others through loops, when all joints move with `qd`.
-std::vector<std::vector<Share>> share_rates(Trace& trace, const std::vector<Expression>& qd);
+// dG/dt for the dependent joints of loops, when all joints move with `qd`.
+std::vector<std::vector<MovedJoint>> moved_joint_rates(Trace& trace, const std::vector<Expression>& qd);
 
 // The sum of factor * of_joint(joint): the element for a coordinate of a quantity that is linear in the rates of the
 // joints.
 template <class OfJoint>
-auto sum_of(const std::vector<Share>& shares, OfJoint of_joint) {
-  auto total = of_joint(shares.front().joint);
-  for (std::size_t k = 1; k < shares.size(); ++k) total += shares[k].factor * of_joint(shares[k].joint);
+auto sum_of(const std::vector<MovedJoint>& moved, OfJoint of_joint) {
+  auto total = of_joint(moved.front().joint);
+  for (std::size_t k = 1; k < moved.size(); ++k) total += moved[k].factor * of_joint(moved[k].joint);
   return total;
 }
 

@@ -1,6 +1,6 @@
 #include "algorithm/spatial/joint.h"
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -29,7 +29,7 @@ Vector3 of_components(const Joint& first, const std::vector<Expression>& by_join
 }
 
 // Whether another component of a spherical joint moves the child for this one.
-bool is_follower(const Joint& joint) {
+bool is_later_component(const Joint& joint) {
   return joint.is_spherical() && joint.axis > 0;
 }
 
@@ -119,7 +119,7 @@ void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v
 void add_rates(const Joint& joint, const std::vector<Expression>& qd, Vector3& w, Vector3& v) {
   if (!joint.is_spherical())
     add_rate(joint, qd[at(joint.index)], w, v);
-  else if (!is_follower(joint))
+  else if (!is_later_component(joint))
     w += of_components(joint, qd);
 }
 
@@ -185,7 +185,7 @@ bool feels_only_moment(const Joint& joint) {
 }
 
 Motion across_joint(const Joint& joint, const Pose& X_PC, const Motion& V_P, const std::vector<Expression>& qd) {
-  if (is_follower(joint)) return V_P;
+  if (is_later_component(joint)) return V_P;
   Motion V_C = to_child(X_PC, V_P);
   add_rates(joint, qd, V_C.angular, V_C.linear);
   return V_C;
@@ -195,7 +195,7 @@ LinkMotion carried_motion(const Pose& X_PC, const LinkMotion& parent) {
   const Vector3 w = to_child(X_PC.rotation, parent.angular.w);
   const Vector3 wd = to_child(X_PC.rotation, parent.angular.wd);
   const Vector3 carried = parent.a + multiply_u(parent.angular, X_PC.offset);
-  if (const Graph* graph = carried[0].graph()) describe(carried, graph->subject() + "_a", "_P");
+  if (const Graph* graph = carried[0].graph()) described("a", in_parent(graph->subject()), carried);
   return {{w, wd}, to_child(X_PC.rotation, carried)};
 }
 
@@ -205,7 +205,7 @@ LinkMotion across_joint(
     const LinkMotion& parent,
     const std::vector<Expression>& qd_of_joints,
     const std::vector<Expression>& qdd_of_joints) {
-  if (is_follower(joint)) return parent;
+  if (is_later_component(joint)) return parent;
   LinkMotion child = carried_motion(X_PC, parent);
   Vector3 &w = child.angular.w, &wd = child.angular.wd;
   const Expression &qd = qd_of_joints[at(joint.index)], &qdd = qdd_of_joints[at(joint.index)];

@@ -1,12 +1,13 @@
-// A joint as the recursions use it: what it adds to the motion of its child, and which part of a force it feels.
+// Joints as the recursions use them: the motion that a joint adds to its child, S qd, and the joint force, S' F. All
+// that depends on the type of a joint is here.
 //
-// All that the recursions know of joint types is here. The motion subspace S of a joint is constant in the axes of the
-// child C, about the child's origin, and along its z axis: (0 0 1 0 0 0) for a revolute joint, (0 0 0 0 0 1) for a
-// prismatic one, (0 0 1 0 0 p) for a helical one with pitch p (Featherstone 2008, table 4.1).
+// The motion subspace S of a joint is constant in the axes of the child C, about the child's origin, and along the
+// child's z axis: (0 0 1 0 0 0) for a revolute joint, (0 0 0 0 0 1) for a prismatic one, (0 0 1 0 0 p) for a helical
+// one with pitch p in metres per radian (Featherstone 2008, table 4.1).
 //
-// The components of a spherical joint are three joints in a row with the same child frame, about its x, y and z axis:
-// the child turns with the rates of all three. So the first component changes a motion by all three rates, and the
-// others do not change it.
+// A spherical joint is three joints in a row with one child frame, about the x, y and z axis of that frame. The child
+// turns with the rates of all three: the first of these joints adds all three rates to a motion, the other two add
+// nothing.
 #pragma once
 
 #include "algorithm/spatial/link_motion.h"
@@ -32,9 +33,9 @@ Joint joint_of(Trace& trace, int index);
 Motion subspace(const Joint& joint, Graph& graph);
 // V_C += S rate.
 void add_rate(const Joint& joint, const Expression& rate, Motion& V_C);
-// The same for the two parts of V_C.
+// The same for the two parts (w, v) of V_C.
 void add_rate(const Joint& joint, const Expression& rate, Vector3& w, Vector3& v);
-// Adds S qd, the joint's part of the motion of its child. The first component of a spherical joint adds it for all
+// Adds S qd, the joint's part of the motion of its child; the first joint of a spherical one adds the part of all
 // three. `qd` by joint.
 void add_rates(const Joint& joint, const std::vector<Expression>& qd, Vector3& w, Vector3& v);
 // S' F_C: the joint force.
@@ -45,7 +46,7 @@ void set_projection(const Joint& joint, const Expression& value, Force& F_C);
 Expression take_rate(const Joint& joint, Motion& V_C);
 // S x V: the change of a motion at unit rate of the joint, in axes that do not move with it.
 Motion cross_subspace(const Joint& joint, const Motion& V_C);
-// Whether the joint feels only the moment about z of a force on its child.
+// Whether the joint force is the moment about z of the force on its child.
 bool feels_only_moment(const Joint& joint);
 
 // ---- Across the joint, from the parent P to the child C. Rates and accelerations by joint.
@@ -57,16 +58,17 @@ LinkMotion across_joint(
     const LinkMotion& parent,
     const std::vector<Expression>& qd,
     const std::vector<Expression>& qdd);
-// The motion of the child's frame if the joint stood still.
+// The motion of the child's frame at zero joint velocity and acceleration.
 LinkMotion carried_motion(const Pose& X_PC, const LinkMotion& parent);
 
 // ---- Inertias.
 
-// I S: the force that accelerates the body by one unit of the joint from rest, and its momentum at unit rate.
+// I S: the momentum of the body at unit rate of the joint, and the force that accelerates it from rest at unit
+// acceleration of the joint.
 Force times_subspace(const MassProperties& body, const Joint& joint);
 Force times_subspace(const SpatialInertia& body, const Joint& joint);
-// I - U U' / D, the inertia that remains when the joint yields: U = I S, `gain` = U / D. If D = S' U, the row and
-// column of S become zero, and `released` sets them to zero.
+// I - U U' / D, the inertia of a body behind a joint that moves freely: U = I S, `gain` = U / D. If D = S' U, the row
+// and the column of I along S become zero; `released` sets them to zero, `reduced` computes them.
 SpatialInertia reduced(const SpatialInertia& body, const Force& U, const Force& gain);
 SpatialInertia released(const SpatialInertia& body, const Joint& joint, const Force& U, const Force& gain);
 

@@ -1,6 +1,6 @@
 #include "algorithm/spatial/link_motion.h"
 
-#include "algorithm/spatial/describe.h"
+#include "algorithm/spatial/named.h"
 #include "symbolic/cost.h"
 
 #include <algorithm>
@@ -17,18 +17,18 @@ enum class MomentForm {
 
 // w x momentum * rate. A constant momentum with three components is taken in multiples of its largest one, which saves
 // a product.
-Vector3 gyroscopic_moment(const Vector3& w, const Spin& spin) {
-  const Vector3& momentum = spin.momentum;
+Vector3 gyroscopic_moment(const Vector3& w, const RotorMotion& rotor) {
+  const Vector3& momentum = rotor.momentum;
   std::size_t largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (momentum[i].is_zero() || !momentum[i].is_constant()) return cross(w, spin.rate * momentum);
+    if (momentum[i].is_zero() || !momentum[i].is_constant()) return cross(w, rotor.rate * momentum);
     const auto size = [&](std::size_t k) { return std::abs(momentum[k].number().value()); };
     if (size(i) > size(largest)) largest = i;
   }
   const Expression& unit = momentum[largest];
   Vector3 direction;
   for (std::size_t i = 0; i < 3; ++i) direction[i] = i == largest ? unit.graph()->one() : momentum[i] / unit;
-  const Expression rate = unit * spin.rate;
+  const Expression rate = unit * rotor.rate;
   return cross(rate * w, direction);
 }
 
@@ -46,9 +46,9 @@ Vector3 moment_across(const MassProperties& m, const AngularState& state) {
   const auto u = [&](std::size_t row, std::size_t column) { return state.u(row, column); };
   const Expression xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
   if (!state.link.empty()) {
-    describe(xx, state.link + "_wx2");
-    describe(yy, state.link + "_wy2");
-    describe(zz, state.link + "_wz2");
+    described_product_of_w(state.link, 0, 0, xx);
+    described_product_of_w(state.link, 1, 1, yy);
+    described_product_of_w(state.link, 2, 2, zz);
   }
   // Terms are added one after the other, so that every compiler creates them in the same order.
   Expression nx = u(2, 0) * s[0][1];
@@ -111,12 +111,7 @@ Vector3 cheapest_moment(Graph& graph, const MassProperties& m, const AngularStat
 // Off the diagonal: w_r w_c plus or minus the remaining component of wd. On the diagonal: minus the squares of the
 // other components of w.
 Expression AngularState::u(std::size_t row, std::size_t column) const {
-  constexpr const char* axes = "xyz";
-  const bool is_named = !link.empty();
-  const auto named = [&](const Expression& e) {
-    if (is_named) describe(e, link + "_U" + axes[row] + axes[column]);
-    return e;
-  };
+  const auto named = [&](const Expression& e) { return link.empty() ? e : described_u(link, row, column, e); };
   if (row == column) {
     const std::size_t i = (row + 1) % 3, j = (row + 2) % 3;
     const Expression &a = w[std::min(i, j)], &b = w[std::max(i, j)];
@@ -124,7 +119,7 @@ Expression AngularState::u(std::size_t row, std::size_t column) const {
   }
   const std::size_t other = 3 - row - column;
   const Expression product = w[row] * w[column];
-  if (is_named) describe(product, link + "_w" + axes[std::min(row, column)] + "_w" + axes[std::max(row, column)]);
+  if (!link.empty()) described_product_of_w(link, row, column, product);
   return named(column == (row + 1) % 3 ? product - wd[other] : product + wd[other]);
 }
 
@@ -145,7 +140,7 @@ Force link_wrench(
     Trace& trace,
     const MassProperties& m,
     const LinkMotion& motion,
-    const std::vector<Spin>& spins,
+    const std::vector<RotorMotion>& rotors,
     bool only_z_moment) {
   Force wrench;
   if (!only_z_moment) {
@@ -154,9 +149,9 @@ Force link_wrench(
   }
   wrench.moment = cheapest_moment(trace.graph, m, motion.angular, [&](Vector3 n) {
     n += cross(m.first_moment, motion.a);
-    for (const Spin& spin : spins) {
-      n += spin.acceleration * spin.momentum;
-      n += gyroscopic_moment(motion.angular.w, spin);
+    for (const RotorMotion& rotor : rotors) {
+      n += rotor.acceleration * rotor.momentum;
+      n += gyroscopic_moment(motion.angular.w, rotor);
     }
     return only_z_moment ? Vector3{Expression(), Expression(), n[2]} : n;
   });

@@ -7,7 +7,7 @@
 // 5, in the notation of ch. 2 split into 3-vectors.)
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithm/spatial/mass_properties.h"
@@ -17,8 +17,8 @@ namespace robcogen::algorithm {
 struct AngularState {
   Vector3 w;   // angular velocity
   Vector3 wd;  // angular acceleration
-  // The link after which elements of U and products of w are named (symbolic::Graph::describe); empty: no names.
-  std::string link = {};
+  // The link to which elements of U and products of w belong, if their quantities are given; refers to its name.
+  std::string_view link = {};
 
   // An element of U, created on demand so that the costs of different forms of the moment can be compared.
   Expression u(std::size_t row, std::size_t column) const;
@@ -36,22 +36,22 @@ struct LinkMotion {
 // The motion of a base with this twist and spatial acceleration; gravity is part of the result.
 LinkMotion base_motion(const Motion& velocity, const Motion& acceleration, const Vector3& gravity);
 
-// A part that spins in a link, in addition to the motion of the link: its momentum is `momentum` times `rate`, in link
-// axes, and takes the moment momentum * acceleration + w x (momentum * rate).
-struct Spin {
+// The motion of a rotor relative to the link that carries it: its momentum is `momentum` times `rate`, in link axes,
+// and takes the moment momentum * acceleration + w x (momentum * rate).
+struct RotorMotion {
   Vector3 momentum;
   Expression rate;
   Expression acceleration;
 };
 
-// The wrench about the link's origin that gives the link this motion, including the moment that its spins take. Of
+// The wrench about the link's origin that gives the link this motion, including the moment that its rotors take. Of
 // equivalent forms of the moment, the one that adds the fewest operations to the existing ones is used. With
 // `only_z_moment` only that component is computed.
 Force link_wrench(
     Trace& trace,
     const MassProperties& m,
     const LinkMotion& motion,
-    const std::vector<Spin>& spins = {},
+    const std::vector<RotorMotion>& rotors = {},
     bool only_z_moment = false);
 
 }  // namespace robcogen::algorithm

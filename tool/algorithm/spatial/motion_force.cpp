@@ -18,6 +18,10 @@ Force& operator+=(Force& a, const Force& b) {
   return a;
 }
 
+Force operator+(const Force& a, const Force& b) {
+  return {a.moment + b.moment, a.linear + b.linear};
+}
+
 Force& operator-=(Force& a, const Force& b) {
   a.moment -= b.moment;
   a.linear -= b.linear;

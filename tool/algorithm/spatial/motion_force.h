@@ -21,6 +21,7 @@ struct Force {
 Motion& operator+=(Motion& a, const Motion& b);
 Motion operator*(const Expression& k, const Motion& a);
 Force& operator+=(Force& a, const Force& b);
+Force operator+(const Force& a, const Force& b);
 Force& operator-=(Force& a, const Force& b);
 Force operator*(const Expression& k, const Force& a);
 

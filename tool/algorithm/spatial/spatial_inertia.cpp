@@ -53,17 +53,4 @@ SquareMatrix matrix(const SpatialInertia& x) {
   return result;
 }
 
-void name(Graph& graph, const SpatialInertia& x, const std::string& prefix) {
-  if (!graph.keeps_names()) return;
-  const char* axes = "xyz";
-  for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::string suffix = {axes[r], axes[c]};
-      if (c >= r) graph.name(x.a[r][c], prefix + "_A" + suffix);
-      graph.name(x.b[r][c], prefix + "_B" + suffix);
-      if (c >= r) graph.name(x.m[r][c], prefix + "_M" + suffix);
-    }
-  }
-}
-
 }  // namespace robcogen::algorithm

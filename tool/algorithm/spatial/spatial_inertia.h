@@ -22,7 +22,4 @@ SpatialInertia to_parent(const Pose& X_PC, const SpatialInertia& child);
 // [A B; B' M].
 SquareMatrix matrix(const SpatialInertia& x);
 
-// Names the elements `<prefix>_Axy`, `<prefix>_Bxy`, `<prefix>_Mxy`.
-void name(Graph& graph, const SpatialInertia& x, const std::string& prefix);
-
 }  // namespace robcogen::algorithm

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algorithm/spatial/named.h"
+#include "support/concat.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -16,12 +18,30 @@ namespace {
 
 const std::vector<std::string> kAxes = {"x", "y", "z"};
 
-std::vector<std::string> spatial_elements(Role role, const std::string& prefix = "") {
-  const bool wrench = role == Role::base_wrench || role == Role::link_wrenches;
+std::vector<std::string> spatial_elements() {
   std::vector<std::string> names;
-  for (const char* part : {wrench ? "n" : "w", wrench ? "f" : "v"})
-    for (const std::string& axis : kAxes) names.push_back(prefix + part + axis);
+  for (const char* part : {"w", "v"})
+    for (const std::string& axis : kAxes) names.push_back(part + axis);
   return names;
+}
+
+// The elements of q with these labels; elements of quaternions belong to their joints.
+std::vector<symbolic::QuantityRef> position_quantities(
+    const model::KinematicTree& tree,
+    const std::vector<std::string>& labels) {
+  std::vector<symbolic::Quantity> elements;
+  for (const std::string& label : labels) {
+    symbolic::Quantity& element = elements.emplace_back(symbolic::Quantity{label, "q"});
+    element.of_coordinates = true;
+  }
+  const std::vector<int> places = tree.position_elements();
+  for (const int first : tree.spherical_joints())
+    for (std::size_t i = 0; i < 4; ++i)
+      elements[at(places[at(first)]) - 1 + i] = {tree.joints[at(first)].declared_name(), std::string(1, "wxyz"[i])};
+  std::vector<symbolic::QuantityRef> result;
+  for (symbolic::Quantity& element : elements)
+    result.push_back(std::make_shared<const symbolic::Quantity>(std::move(element)));
+  return result;
 }
 
 }  // namespace
@@ -53,6 +73,17 @@ std::vector<Expression> ProgramTrace::input(const std::string& name, Role role, 
   return values;
 }
 
+std::vector<Expression> ProgramTrace::quantity_input(
+    const std::string& name,
+    Role role,
+    const std::vector<symbolic::QuantityRef>& elements) {
+  std::vector<std::string> labels;
+  for (const symbolic::QuantityRef& element : elements) labels.push_back(text(*element));
+  const std::vector<Expression> values = input(name, role, std::move(labels));
+  inputs_.back().quantities = elements;
+  return values;
+}
+
 std::vector<Expression> Trace::coordinate_input(const std::string& name, Role role) {
   std::vector<std::string> names;
   for (const int joint : tree.coordinates()) names.push_back(tree.joints[at(joint)].name);
@@ -65,6 +96,7 @@ std::vector<Expression> Trace::position_input(const std::string& name) {
   for (const int first : tree.spherical_joints()) quaternions.push_back(elements[at(first)] - 1);
   const std::vector<Expression> given = input(name, Role::joint_position, model::position_names(tree));
   inputs_.back().quaternions = quaternions;
+  if (!quaternions.empty()) inputs_.back().quantities = position_quantities(tree, inputs_.back().elements);
   inputs_.back().followers = static_cast<int>(tree.followers_in_q().size());
   std::vector<Expression> positions;
   for (const int joint : tree.coordinates()) positions.push_back(given[at(elements[at(joint)])]);
@@ -85,20 +117,20 @@ std::vector<Expression> Trace::by_joint(
   std::vector<Expression> joints(tree.joints.size());
   const std::vector<int> independent = tree.coordinates();
   for (std::size_t k = 0; k < independent.size(); ++k) joints[at(independent[k])] = coordinates[k];
-  const std::vector<int> followers = role == Role::joint_position ? tree.followers_in_q() : std::vector<int>();
+  const std::vector<int> dependents = role == Role::joint_position ? tree.followers_in_q() : std::vector<int>();
   const auto behind = coordinates.begin() + static_cast<std::ptrdiff_t>(independent.size());
-  const auto first_follower = coordinates.end() - static_cast<std::ptrdiff_t>(followers.size());
-  joints.insert(joints.end(), behind, first_follower);
-  for (std::size_t k = 0; k < followers.size(); ++k)
-    joints[at(followers[k])] = first_follower[static_cast<std::ptrdiff_t>(k)];
+  const auto first_dependent = coordinates.end() - static_cast<std::ptrdiff_t>(dependents.size());
+  joints.insert(joints.end(), behind, first_dependent);
+  for (std::size_t k = 0; k < dependents.size(); ++k)
+    joints[at(dependents[k])] = first_dependent[static_cast<std::ptrdiff_t>(k)];
   for (const model::Coupling& coupling : tree.couplings) {
     if (!coupling.is_linear()) continue;
-    const std::string& follower = tree.joints[at(coupling.joint)].name;
-    section(follower, "joint " + follower + ": " + name);
+    const std::string& dependent = tree.joints[at(coupling.joint)].name;
+    section(dependent, "joint " + dependent + ": " + name);
     Expression& value = joints[at(coupling.joint)];
     for (const model::Coupling::Term& term : coupling.terms) value += lift(term.factor) * joints[at(term.joint)];
     if (role == Role::joint_position) value += lift(coupling.offset);
-    graph.describe(value, name + "_" + follower);
+    described(coordinate(name, dependent), value);
   }
   if (role == Role::joint_position) closures_.clear(), rates_.clear();
   for (std::size_t k = 0; k < tree.closures.size(); ++k) follow(k, role, joints);
@@ -132,7 +164,7 @@ void Trace::follow(std::size_t index, Role role, std::vector<Expression>& joints
   for (std::size_t d = 0; d < closure.dependents.size(); ++d) {
     Expression& value = joints[at(closure.dependents[d])];
     value = added[d];
-    for (const RateShare& share : rates[d]) value += share.factor * joints[at(share.joint)];
+    for (const RateTerm& share : rates[d]) value += share.factor * joints[at(share.joint)];
   }
 }
 
@@ -167,7 +199,7 @@ std::vector<Expression> Trace::added_by_loops(const std::vector<Expression>& qd,
     for (std::size_t d = 0; d < changes.size(); ++d) {
       Expression& value = added[at(tree.closures[k].dependents[d])];
       value = changes[d];
-      for (const RateShare& share : rates[d]) value += share.factor * added[at(share.joint)];
+      for (const RateTerm& share : rates[d]) value += share.factor * added[at(share.joint)];
     }
   }
   return added;
@@ -184,22 +216,22 @@ std::vector<Expression> Trace::reference_acceleration_input(
   return rates;
 }
 
-const std::vector<RateShare>& Trace::rates_of(const model::Coupling& coupling) {
+const std::vector<RateTerm>& Trace::rates_of(const model::Coupling& coupling) {
   if (rates_.empty()) rates_.resize(tree.joints.size());
-  std::vector<RateShare>& known = rates_[at(coupling.joint)];
+  std::vector<RateTerm>& known = rates_[at(coupling.joint)];
   if (!known.empty()) return known;
   const model::Closure& closure = tree.closures[at(coupling.closure)];
   const auto place = std::find(closure.dependents.begin(), closure.dependents.end(), coupling.joint);
   const auto d = static_cast<std::size_t>(place - closure.dependents.begin());
   std::map<int, Expression> sums;
-  for (const RateShare& share : closures_.at(at(coupling.closure))->rates()[d]) {
+  for (const RateTerm& share : closures_.at(at(coupling.closure))->rates()[d]) {
     const model::Coupling* given = tree.coupling_of(share.joint);
     if (given == nullptr) {
       sums[share.joint] += share.factor;
     } else if (given->is_linear()) {
       for (const model::Coupling::Term& term : given->terms) sums[term.joint] += share.factor * lift(term.factor);
     } else {
-      for (const RateShare& beyond : rates_of(*given)) sums[beyond.joint] += share.factor * beyond.factor;
+      for (const RateTerm& beyond : rates_of(*given)) sums[beyond.joint] += share.factor * beyond.factor;
     }
   }
   for (const auto& [joint, factor] : sums) known.push_back({joint, factor});
@@ -233,18 +265,19 @@ Vector3 Trace::vector_input(const std::string& name, Role role) {
 }
 
 Motion Trace::motion_input(const std::string& name, Role role) {
-  const std::vector<Expression> v = input(name, role, spatial_elements(role));
+  const std::vector<Expression> v = input(name, role, spatial_elements());
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 std::vector<Force> Trace::link_wrench_input() {
-  std::vector<std::string> names;
+  std::vector<symbolic::QuantityRef> elements;
   for (const model::Link& link : tree.links) {
     if (link.is_repeated) continue;
-    for (std::string& element : spatial_elements(Role::link_wrenches, link.name + "_"))
-      names.push_back(std::move(element));
+    for (const char* part : {"n", "f"})
+      for (const std::string& axis : kAxes)
+        elements.push_back(std::make_shared<const symbolic::Quantity>(symbolic::Quantity{link.name, part, axis}));
   }
-  const std::vector<Expression> v = input("external", Role::link_wrenches, std::move(names));
+  const std::vector<Expression> v = quantity_input("external", Role::link_wrenches, elements);
   std::vector<Force> wrenches(tree.links.size());
   std::size_t i = 0;
   for (std::size_t link = 0; link < wrenches.size(); ++link) {
@@ -291,6 +324,10 @@ void ProgramTrace::section(const std::string& subject, const std::string& title)
 
 void ProgramTrace::section(const std::string& subject, const char* before, const char* after) {
   if (graph.keeps_names()) graph.begin_section(before + subject + after, subject);
+}
+
+void ProgramTrace::section(const std::string& subject, std::initializer_list<std::string_view> title) {
+  if (graph.keeps_names()) graph.begin_section(concat(title), subject);
 }
 
 Expression ProgramTrace::lift(const Quantity& q, const std::vector<Expression>& variables) {

@@ -1,7 +1,10 @@
 // One run of an algorithm: its inputs, its graph, and the model's quantities as expressions.
 #pragma once
 
+#include <initializer_list>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithm/spatial/closures.h"
@@ -21,6 +24,11 @@ class ProgramTrace {
 
   // Inputs and outputs: arrays in the order of the calls. Matrices are given column by column.
   std::vector<Expression> input(const std::string& name, symbolic::Role role, std::vector<std::string> elements);
+  // The same for elements that are quantities: their labels are the names.
+  std::vector<Expression> quantity_input(
+      const std::string& name,
+      symbolic::Role role,
+      const std::vector<symbolic::QuantityRef>& elements);
   // Declares the input `parameters`, unless there are none. Quantities that depend on one can be lifted from then on.
   void parameter_input(const std::vector<model::Parameter>& parameters);
 
@@ -37,8 +45,10 @@ class ProgramTrace {
 
   // Starts a section titled `<kind> <subject>: <what>`; unnamed values in it are numbered after the subject.
   void section(const std::string& subject, const std::string& title);
-  // The same with the title `<before><subject><after>`, which is put together only if names are kept.
+  // The same with a title in pieces, which are put together only if names are kept: `<before><subject><after>`, or all
+  // pieces of a list.
   void section(const std::string& subject, const char* before, const char* after);
+  void section(const std::string& subject, std::initializer_list<std::string_view> title);
 
   // `variables` are the values of the model's variables; for robots the joint positions.
   Expression lift(const model::Quantity& q, const std::vector<Expression>& variables = {});
@@ -94,7 +104,7 @@ class Trace : public ProgramTrace {
   // Elements of q, from positions by joint as joint_input returns them.
   std::vector<Expression> positions(const std::vector<Expression>& joints) const;
   // The rate of a joint that follows others through a loop, as a combination of those of coordinates.
-  const std::vector<RateShare>& rates_of(const model::Coupling& coupling);
+  const std::vector<RateTerm>& rates_of(const model::Coupling& coupling);
   // By loop: the force of its second end on its first one (TracedClosure::reaction), from the forces that a motion
   // needs at all joints, at the positions q by joint.
   std::vector<std::vector<Expression>> reactions(const std::vector<Expression>& q, std::vector<Expression> forces);
@@ -108,7 +118,7 @@ class Trace : public ProgramTrace {
  private:
   std::vector<std::unique_ptr<TracedClosure>> closures_;  // at the positions of the trace
   std::vector<Expression> positions_, velocities_;        // by joint
-  std::vector<std::vector<RateShare>> rates_;             // by joint that follows through a loop
+  std::vector<std::vector<RateTerm>> rates_;              // by joint that follows through a loop
 
   std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);

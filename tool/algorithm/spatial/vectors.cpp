@@ -76,11 +76,4 @@ Vector3 unit_vector(Graph& graph, std::size_t axis) {
   return v;
 }
 
-void name(Graph& graph, const Vector3& v, const std::string& name) {
-  if (!graph.keeps_names()) return;
-  graph.name(v[0], name + "x");
-  graph.name(v[1], name + "y");
-  graph.name(v[2], name + "z");
-}
-
 }  // namespace robcogen::algorithm

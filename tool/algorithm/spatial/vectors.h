@@ -69,7 +69,4 @@ using Columns = std::vector<std::vector<Expression>>;
 
 Vector3 unit_vector(Graph& graph, std::size_t axis);
 
-// Names the three components `<name>x`, `<name>y`, `<name>z`.
-void name(Graph& graph, const Vector3& v, const std::string& name);
-
 }  // namespace robcogen::algorithm

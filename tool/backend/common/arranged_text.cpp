@@ -14,23 +14,23 @@ using symbolic::Statement;
 namespace {
 
 // Without this check, a mismatch would fail to compile, or would take one lane for another.
-void require_lanes(const Arrangement& arranged, const Statement& s, const Spelling& value, int lanes) {
+void require_lanes(const Arrangement& arranged, const Spelling& value, int lanes) {
   if (value.width == lanes) return;
   throw std::logic_error(concat(
-      {arranged.program.name, ": '", s.name, "' reads ", std::to_string(value.width), " lanes where it takes ",
+      {arranged.program.name, ": a statement reads ", std::to_string(value.width), " lanes where it takes ",
        std::to_string(lanes), ": ", value.text}));
 }
 
 // Spells an operand as it is, and checks that it has `lanes` lanes.
-Spelling spell_checked(Arrangement& arranged, const Statement& s, const Operand& o, int lanes) {
+Spelling spell_checked(Arrangement& arranged, const Operand& o, int lanes) {
   Spelling result = spell(arranged, o);
-  require_lanes(arranged, s, result, lanes);
+  require_lanes(arranged, result, lanes);
   return result;
 }
 
 Spelling gathered(Arrangement& arranged, const Statement& s) {
   std::string list;
-  for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell_checked(arranged, s, o, 1));
+  for (const Operand& o : s.lanes) list += (list.empty() ? "" : ", ") + text(spell_checked(arranged, o, 1));
   Spelling result;
   result.text = arranged.texts.add({arranged.dialect.type(s.width), "::of(", list, ")"});
   return result;
@@ -39,10 +39,10 @@ Spelling gathered(Arrangement& arranged, const Statement& s) {
 Spelling sum_of_lanes(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
   const int lanes = width_of(arranged.program, s.a);
-  const Spelling first = spell_checked(arranged, s, s.a, lanes);
+  const Spelling first = spell_checked(arranged, s.a, lanes);
   if (arranged.places[i] != Place::sums) return call("sum_lanes", first, arranged.texts);
   const Statement& next = arranged.program.statements[i + 1];
-  return call("sum_lanes", first, spell_checked(arranged, next, next.a, lanes), arranged.texts);
+  return call("sum_lanes", first, spell_checked(arranged, next.a, lanes), arranged.texts);
 }
 
 void add_names_of_expression(const Arrangement& arranged, std::size_t i, std::vector<std::string>& names) {
@@ -62,9 +62,9 @@ Spelling expression(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
   Spelling result;
   if (s.op == Op::square_root) {
-    result = call(arranged.dialect.square_root, spell_checked(arranged, s, s.a, s.width), arranged.texts);
+    result = call(arranged.dialect.square_root, spell_checked(arranged, s.a, s.width), arranged.texts);
   } else if (s.op == Op::arc_tangent) {
-    const Spelling sine = spell_checked(arranged, s, s.a, s.width), cosine = spell_checked(arranged, s, s.b, s.width);
+    const Spelling sine = spell_checked(arranged, s.a, s.width), cosine = spell_checked(arranged, s.b, s.width);
     result = call(arranged.dialect.arc_tangent, sine, cosine, arranged.texts);
   } else if (s.op == Op::sum_lanes) {
     result = sum_of_lanes(arranged, i);
@@ -72,8 +72,8 @@ Spelling expression(Arrangement& arranged, std::size_t i) {
     result = gathered(arranged, s);
   } else {
     const Spelling a = spell(arranged, s.a, s.width), b = spell(arranged, s.b, s.width);
-    require_lanes(arranged, s, a, s.width);
-    require_lanes(arranged, s, b, s.width);
+    require_lanes(arranged, a, s.width);
+    require_lanes(arranged, b, s.width);
     result = binary(s.op, a, b, arranged.texts);
   }
   result.width = s.width;

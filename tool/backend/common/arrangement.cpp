@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "backend/common/fit_lines.h"
+#include "backend/common/value_names.h"
 #include "support/index.h"
-#include "symbolic/line_names.h"
 
 namespace robcogen::backend {
 namespace {
@@ -42,15 +42,10 @@ std::vector<KernelArray> claim_parameters(const Program& program, const Dialect&
 
 class ArrangementBuilder {
  public:
-  ArrangementBuilder(
-      const Program& program,
-      const Dialect& dialect,
-      const LinePlan& plan,
-      const std::vector<std::string>& names)
+  ArrangementBuilder(const Program& program, const Dialect& dialect)
       : program_(program),
         dialect_(dialect),
-        statement_names_(names),
-        arranged_{plan, program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
+        arranged_{line_plan(program, dialect), program, dialect, NameScope(dialect.is_reserved, dialect.used_names)} {
     arranged_.spellings.resize(program.statements.size());
     arranged_.expressions.resize(program.statements.size());
     for (const symbolic::Constant& constant : program.constants)
@@ -68,7 +63,6 @@ class ArrangementBuilder {
  private:
   const Program& program_;
   const Dialect& dialect_;
-  const std::vector<std::string>& statement_names_;
   Arrangement arranged_;
   std::vector<std::string> input_labels_;  // by flat index
 
@@ -123,12 +117,18 @@ class ArrangementBuilder {
     }
   }
 
+  // Lines that are too long take parts out later: which ones does not change a name.
   void name_values() {
+    std::vector<bool> is_line;
+    for (const Place place : arranged_.places)
+      is_line.push_back(
+          place == Place::own || place == Place::sums || place == Place::summed || place == Place::loaded);
+    const std::vector<std::string> names = value_names(program_, is_line);
     for (auto& [key, angle] : arranged_.angles) {
       const auto& [kind, index, lane] = key;
       std::string subject = kind == Operand::Kind::input       ? input_labels_[at(index)]
-                            : kind == Operand::Kind::statement ? statement_names_[at(index)]
-                                                               : statement_names_[at(angle.first)];
+                            : kind == Operand::Kind::statement ? names[at(index)]
+                                                               : names[at(angle.first)];
       if (lane >= 0) subject += "_" + std::to_string(lane);
       // One line holds both names and that of the argument.
       const std::size_t limit = kind == Operand::Kind::input ? dialect_.name_limit : dialect_.name_limit * 5 / 6;
@@ -139,8 +139,8 @@ class ArrangementBuilder {
       if (angle.cosine) angle.cosine_name = claim("c_" + subject);
     }
     std::vector<std::string> wanted;
-    wanted.reserve(program_.statements.size());
-    for (const std::string& name : statement_names_) wanted.push_back(shortened(name));
+    wanted.reserve(names.size());
+    for (const std::string& name : names) wanted.push_back(shortened(name));
     arranged_.names = claim_all(arranged_.scope, std::move(wanted));
     for (const symbolic::Block& load : arranged_.blocks.loads)
       arranged_.load_names.push_back(arranged_.scope.claim(program_.inputs[at(load.array)].name + "_lanes"));
@@ -179,26 +179,8 @@ std::vector<KernelArray> parameters(const Program& program, const Dialect& diale
   return claim_parameters(program, dialect, scope);
 }
 
-// Names decide how long lines are, and thereby which expressions need lines, and names, of their own. This takes two
-// rounds, rarely more.
 Arrangement arrange(const Program& program, const Dialect& dialect) {
-  constexpr int kRounds = 4;
-  const LinePlan plan = line_plan(program, dialect);
-  const symbolic::QuantityNames quantities(program);
-  std::vector<bool> is_line(program.statements.size(), false);
-  for (int round = 0;; ++round) {
-    const std::vector<std::string> names = symbolic::line_names(quantities, is_line);
-    Arrangement arranged = ArrangementBuilder(program, dialect, plan, names).run();
-    bool is_new = false;
-    for (std::size_t i = 0; i < is_line.size(); ++i) {
-      const Place place = arranged.places[i];
-      const bool has_name =
-          place == Place::own || place == Place::sums || place == Place::summed || place == Place::loaded;
-      if (is_line[i] || !has_name) continue;
-      is_line[i] = is_new = true;
-    }
-    if (!is_new || round == kRounds) return arranged;
-  }
+  return ArrangementBuilder(program, dialect).run();
 }
 
 }  // namespace robcogen::backend

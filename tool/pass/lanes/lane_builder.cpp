@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <queue>
+#include <utility>
 
 #include "pass/statements.h"
-#include "support/concat.h"
 #include "support/index.h"
-#include "support/unique_names.h"
 #include "symbolic/cost.h"
 #include "symbolic/lane_names.h"
+#include "symbolic/quantity.h"
 
 namespace robcogen::pass {
 
@@ -211,21 +213,20 @@ Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
 void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
   if (!is_statement(value) || value.lane >= 0) return;
   Statement& s = made_[at(value.index)].statement;
-  if (!s.name.empty()) return;
-  std::vector<std::string> names;
-  bool named = true, described = true;
+  if (s.quantity) return;
+  std::vector<symbolic::QuantityRef> quantities;
+  bool named = true;
   for (const Operand& o : lanes) {
     const Statement& old = old_.statements[at(o.index)];
-    names.push_back(old.name);
+    if (!old.quantity) return;  // numbered anew
+    quantities.push_back(old.quantity);
     named = named && old.named;
-    described = described && symbolic::has_meaning(old);
   }
-  if (!described && lanes.size() > 1) return;  // numbered anew
-  s.name = symbolic::common_name(names);
-  if (!named && s.name == "lanes") s.name.clear();
-  if (s.name.empty()) return;
+  std::optional<symbolic::Quantity> shared = symbolic::common_quantity(quantities);
+  if (!shared && named) shared = {"lanes"};
+  if (!shared) return;
+  s.quantity = std::make_shared<const symbolic::Quantity>(*std::move(shared));
   s.named = named;
-  s.described = described && !named;
 }
 
 // Moves statements that bring numbers into lanes to their first user.
@@ -273,21 +274,6 @@ std::vector<int> LaneBuilder::order() const {
   return result;
 }
 
-void LaneBuilder::name_all(Program& program) const {
-  UniqueNames used;
-  for (const bool scalars : {true, false})
-    for (Statement& s : program.statements)
-      if (!s.name.empty() && (s.width == 1) == scalars) s.name = used.add(s.name);
-  std::map<std::string, int> next_of_prefix;
-  std::vector<int*> next;  // by section
-  for (const symbolic::Section& section : program.sections) next.push_back(&next_of_prefix[section.prefix]);
-  for (Statement& s : program.statements) {
-    if (!s.name.empty()) continue;
-    const auto section = at(s.section);
-    s.name = used.add(concat({program.sections[section].prefix, "_t", std::to_string((*next[section])++)}));
-  }
-}
-
 Program LaneBuilder::program(const std::vector<std::vector<Operand>>& outputs) {
   settle_late();
   const std::vector<int> places = order();
@@ -306,7 +292,6 @@ Program LaneBuilder::program(const std::vector<std::vector<Operand>>& outputs) {
     result.outputs[k].values = outputs[k];
     for (Operand& o : result.outputs[k].values) renumber(o);
   }
-  name_all(result);
   return result;
 }
 

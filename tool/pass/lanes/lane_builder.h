@@ -58,7 +58,6 @@ class LaneBuilder {
   void fold_constants(std::vector<symbolic::Operand>& terms);
   void settle_late();
   std::vector<int> order() const;
-  void name_all(symbolic::Program& program) const;
 
   const symbolic::Program& old_;
   symbolic::Program new_;

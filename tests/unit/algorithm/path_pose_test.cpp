@@ -1,5 +1,5 @@
 // The frame that a path has reached, compared with Eigen's products of poses.
-#include "algorithm/kinematics/reached.h"
+#include "algorithm/kinematics/path_pose.h"
 
 #include "bodies.h"
 
@@ -25,15 +25,15 @@ class Walks : public testing::TestWithParam<int> {
       end = end * poses.back().transform;
     }
   }
-  Reached walk(int moment_from = Reached::kNoSegment) {
-    Reached here = start(n.graph, moment_from);
+  PathPose walk(int moment_from = PathPose::kNoSegment) {
+    PathPose here = start(n.graph, moment_from);
     for (const RandomPose& each : poses) advance(here, each.pose);
     return here;
   }
 };
 
 TEST_P(Walks, EndWhereThePosesLead) {
-  const Reached here = walk();
+  const PathPose here = walk();
   EXPECT_TRUE(n.value(here.rotation).isApprox(end.linear(), kProducts));
   EXPECT_TRUE(n.value(here.position).isApprox(end.translation(), kProducts));
 }
@@ -47,7 +47,7 @@ TEST_P(Walks, CarryTheMoment) {
 
 // The rotation's factors are kept: before.front() * planes[0] * planes[1] …
 TEST_P(Walks, RememberHowTheRotationCameAbout) {
-  const Reached here = walk();
+  const PathPose here = walk();
   ASSERT_EQ(here.before.size(), here.planes.size());
   Eigen::Matrix3d product = here.before.empty() ? n.value(here.rotation) : n.value(here.before.front());
   for (std::size_t k = 0; k < here.planes.size(); ++k) {
@@ -67,10 +67,10 @@ Pose turned(int axis, const Expression& angle) {
   return pose;
 }
 
-TEST(Reached, ATurnThereAndBackCostsNothing) {
+TEST(PathPose, ATurnThereAndBackCostsNothing) {
   Numbers n;
   const Expression angle = n.expression(0.7), other = n.expression(-0.4);
-  Reached here = start(n.graph);
+  PathPose here = start(n.graph);
   advance(here, turned(0, other));
   const Matrix3 before = here.rotation;
   advance(here, turned(2, angle));
@@ -80,13 +80,13 @@ TEST(Reached, ATurnThereAndBackCostsNothing) {
 }
 
 // The matrix of three Euler angles takes at most 12 products, for any sequence of axes.
-TEST(Reached, EulerAnglesCostTwelveProducts) {
+TEST(PathPose, EulerAnglesCostTwelveProducts) {
   for (int first = 0; first < 3; ++first)
     for (int second = 0; second < 3; ++second)
       for (int third = 0; third < 3; ++third) {
         if (first == second || second == third) continue;
         Numbers n;
-        Reached here = start(n.graph);
+        PathPose here = start(n.graph);
         Eigen::Matrix3d expected = Eigen::Matrix3d::Identity();
         for (const auto& [axis, angle] : {std::pair(first, 0.3), std::pair(second, -1.1), std::pair(third, 0.8)}) {
           advance(here, turned(axis, n.expression(angle)));
@@ -99,7 +99,7 @@ TEST(Reached, EulerAnglesCostTwelveProducts) {
       }
 }
 
-TEST(Reached, MotionsChangeAxes) {
+TEST(PathPose, MotionsChangeAxes) {
   Numbers n;
   const Matrix3 m = n.matrix();
   const Motion motion{n.vector(), n.vector()};
@@ -121,7 +121,7 @@ symbolic::Program products(int count) {
 }
 
 TEST(CheapestTransform, IsTheCheapestOfTheForms) {
-  for (const int best : {0, 3, Reached::kNoSegment}) {
+  for (const int best : {0, 3, PathPose::kNoSegment}) {
     std::vector<int> tried;
     const auto make = [&](int moment_from) {
       tried.push_back(moment_from);
@@ -131,7 +131,7 @@ TEST(CheapestTransform, IsTheCheapestOfTheForms) {
     EXPECT_EQ(tried.size(), 3U);
     tried.clear();
     cheapest_transform(TransformForm::homogeneous, 3, make);
-    EXPECT_EQ(tried, std::vector<int>{Reached::kNoSegment});
+    EXPECT_EQ(tried, std::vector<int>{PathPose::kNoSegment});
   }
 }
 

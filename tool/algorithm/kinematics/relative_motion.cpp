@@ -1,4 +1,4 @@
-#include "algorithm/kinematics/seen.h"
+#include "algorithm/kinematics/relative_motion.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@ namespace robcogen::algorithm {
 namespace {
 
 // Adds a spherical joint with angular velocity `rate` and its derivative `own`.
-void add_rotation(Seen& target, const Vector3& rate, const Vector3& own) {
+void add_rotation(RelativeMotion& target, const Vector3& rate, const Vector3& own) {
   const Vector3 velocity = cross(rate, target.position);
   target.acceleration += cross(rate, target.velocity + target.velocity + velocity);
   target.velocity += velocity;
@@ -16,7 +16,12 @@ void add_rotation(Seen& target, const Vector3& rate, const Vector3& own) {
   target.wd += own;
 }
 
-void add_joint(Seen& target, const Joint& joint, const Expression& rate, const Expression& own, Graph& graph) {
+void add_joint(
+    RelativeMotion& target,
+    const Joint& joint,
+    const Expression& rate,
+    const Expression& own,
+    Graph& graph) {
   const auto [axis, slide] = subspace(joint, graph);
   if (!is_zero(axis)) {
     const Expression twice = rate + rate, square = rate * rate;
@@ -39,7 +44,7 @@ Vector3 rotation_along(const std::vector<JointOnPath>& components, const std::ve
   return rotation;
 }
 
-void step_back(Seen& target, const Pose& pose) {
+void step_back(RelativeMotion& target, const Pose& pose) {
   target.position[2] += pose.slide;
   target.position = pose.offset + to_parent(pose.rotation, target.position);
   for (Vector3* v : {&target.velocity, &target.acceleration, &target.w, &target.wd}) *v = to_parent(pose.rotation, *v);
@@ -58,13 +63,13 @@ Expression along(const JointOnPath& passed, const std::vector<Expression>& value
   return passed.backward ? -value : value;
 }
 
-Seen seen_from(
+RelativeMotion relative_motion(
     Trace& trace,
     const Path& path,
     const std::vector<Expression>& q,
     const std::vector<Expression>& qd,
     const std::vector<Expression>& qdd) {
-  Seen target;
+  RelativeMotion target;
   for (const PathSegment& segment : path) {
     const Pose pose = pose_of(trace, segment, q);
     if (segment.joints.size() > 1)

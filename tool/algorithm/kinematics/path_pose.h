@@ -1,4 +1,5 @@
-// The frame that a path has reached, and the matrices that map coordinates in it to its first frame.
+// The pose of the frames along a path in the first frame of the path, from frame to frame, and the matrices that map
+// coordinates in the last frame to those in the first.
 #pragma once
 
 #include <functional>
@@ -10,8 +11,8 @@
 
 namespace robcogen::algorithm {
 
-// R and p of the frame reached, in the first frame.
-struct Reached {
+// R and p of the present frame of the path, in the first frame.
+struct PathPose {
   Graph* graph = nullptr;
   Matrix3 rotation = {};
   Vector3 position = {};
@@ -31,10 +32,10 @@ struct Reached {
 };
 
 // The first frame itself.
-Reached start(Graph& graph, int moment_from = Reached::kNoSegment);
+PathPose start(Graph& graph, int moment_from = PathPose::kNoSegment);
 
-// Advances to the frame with this pose in the frame reached.
-void advance(Reached& here, const Pose& pose);
+// Advances to the frame with this pose in the present frame.
+void advance(PathPose& here, const Pose& pose);
 
 // The cheapest of the programs of `make`: with the moment computed at the end, from the first segment on, or from
 // `tail` on, the segment behind the last rotation. A form without moment is traced once.
@@ -44,7 +45,7 @@ symbolic::Program cheapest_transform(
     const std::function<symbolic::Program(int moment_from)>& make);
 
 // Names the elements `<subject>_Rxy` and `<subject>_px`.
-void name_reached(Graph& graph, const Reached& here, const std::string& subject);
+void name_path_pose(const PathPose& here, const std::string& subject);
 
 // Column k of m.
 Vector3 column(const Matrix3& m, std::size_t k);
@@ -52,7 +53,7 @@ Vector3 column(const Matrix3& m, std::size_t k);
 // A motion in other axes, or the opposite motion.
 Motion in_axes(const Matrix3& rotation, const Motion& motion, bool negated);
 
-// The transform from coordinates in the frame reached to those in the first one, as the output X.
-void output_transform(ProgramTrace& trace, const Reached& x, TransformForm form);
+// The transform from coordinates in the present frame to those in the first one, as the output X.
+void output_transform(ProgramTrace& trace, const PathPose& x, TransformForm form);
 
 }  // namespace robcogen::algorithm

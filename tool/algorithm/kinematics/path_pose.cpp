@@ -1,8 +1,9 @@
-#include "algorithm/kinematics/reached.h"
+#include "algorithm/kinematics/path_pose.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "algorithm/spatial/named.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -59,7 +60,7 @@ Matrix3 put_together(const Parts& parts, const PlaneRotation& plane) {
   return m;
 }
 
-Matrix3 from_left_to_right(const Reached& here) {
+Matrix3 from_left_to_right(const PathPose& here) {
   Matrix3 m = here.before.back();
   turn(m, here.planes.back());
   return m;
@@ -67,7 +68,7 @@ Matrix3 from_left_to_right(const Reached& here) {
 
 // The product of three plane rotations, the middle one of which is taken apart: the parts are products of the outer
 // sines and cosines, each needed once.
-Matrix3 from_outside(const Reached& here) {
+Matrix3 from_outside(const PathPose& here) {
   Parts parts = take_apart(here.before[1], here.planes[1].axis);
   for (Matrix3* m : {&parts.fixed, &parts.with_c, &parts.with_s}) turn(*m, here.planes[2]);
   return put_together(parts, here.planes[1]);
@@ -75,10 +76,10 @@ Matrix3 from_outside(const Reached& here) {
 
 // The rotation, once its last plane rotation is known. Euler angles take 12 products from outside and 14 from left to
 // right, two of which the position may share; constant angles can make the latter cheaper.
-Matrix3 product(const Reached& here) {
+Matrix3 product(const PathPose& here) {
   if (here.planes.size() != 3) return from_left_to_right(here);
   const std::size_t mark = here.graph->mark();
-  const auto cost_of = [&](Matrix3 (*make)(const Reached&)) {
+  const auto cost_of = [&](Matrix3 (*make)(const PathPose&)) {
     make(here);
     const int cost = symbolic::work_since(*here.graph, mark);
     here.graph->rollback(mark);
@@ -88,7 +89,7 @@ Matrix3 product(const Reached& here) {
 }
 
 // P r1 r2 … Q = (P Q) (Q' r1 Q) … : each rotation keeps its angle and turns its axis by Q'.
-void turn(Reached& here, const QuarterTurns& quarter) {
+void turn(PathPose& here, const QuarterTurns& quarter) {
   turn(here.rotation, quarter);
   for (Matrix3& m : here.before) turn(m, quarter);
   for (PlaneRotation& plane : here.planes) {
@@ -100,21 +101,21 @@ void turn(Reached& here, const QuarterTurns& quarter) {
   }
 }
 
-bool is_at_hand(const Reached& here, const Expression& angle) {
+bool is_at_hand(const PathPose& here, const Expression& angle) {
   return angle.is_constant() || std::any_of(here.angles.begin(), here.angles.end(), [&](const Expression& known) {
            return known == angle || -known == angle;
          });
 }
 
 // Both turns as one. Its sine and cosine come from those of the two, unless they are known for the sum.
-PlaneRotation sum(const Reached& here, const PlaneRotation& a, const PlaneRotation& b) {
+PlaneRotation sum(const PathPose& here, const PlaneRotation& a, const PlaneRotation& b) {
   const Expression angle = a.angle + b.angle;
   if (angle.is_zero()) return {a.axis, Expression(), Expression(), angle};
   if (is_at_hand(here, angle)) return {a.axis, cos(angle), sin(angle), angle};
   return {a.axis, difference_of_products(a.c, b.c, a.s, b.s), sum_of_products(a.s, b.c, a.c, b.s), angle};
 }
 
-void turn(Reached& here, const PlaneRotation& plane) {
+void turn(PathPose& here, const PlaneRotation& plane) {
   if (plane.matrix) {
     // The rotation before it stays a product of its own.
     turn(here.rotation, plane);
@@ -147,7 +148,7 @@ std::vector<Expression> by_columns(const std::vector<std::vector<Expression>>& r
 }
 
 // [p]x R.
-Matrix3 moment_of(const Reached& here) {
+Matrix3 moment_of(const PathPose& here) {
   Matrix3 m;
   for (std::size_t c = 0; c < 3; ++c) {
     const Vector3 moment = cross(here.position, column(here.rotation, c));
@@ -156,12 +157,12 @@ Matrix3 moment_of(const Reached& here) {
   return m;
 }
 
-// Adds R [offset]x, for an offset in the frame reached.
-void add_moment(Reached& here, const Vector3& offset) {
+// Adds R [offset]x, for an offset in the present frame.
+void add_moment(PathPose& here, const Vector3& offset) {
   for (std::size_t k = 0; k < 3; ++k) here.moment[k] += cross(here.rotation[k], offset);
 }
 
-std::vector<Expression> homogeneous(Graph& graph, const Reached& x) {
+std::vector<Expression> homogeneous(Graph& graph, const PathPose& x) {
   std::vector<std::vector<Expression>> rows(4, std::vector<Expression>(4));
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 3; ++c) rows[r][c] = x.rotation[r][c];
@@ -172,7 +173,7 @@ std::vector<Expression> homogeneous(Graph& graph, const Reached& x) {
 }
 
 // [p]x R stands below the diagonal of the motion form, above that of the force form.
-std::vector<Expression> spatial(const Reached& x, bool motion) {
+std::vector<Expression> spatial(const PathPose& x, bool motion) {
   const Matrix3 moment = x.segment > x.moment_from ? x.moment : moment_of(x);
   std::vector<std::vector<Expression>> rows(6, std::vector<Expression>(6));
   for (std::size_t c = 0; c < 3; ++c) {
@@ -186,14 +187,14 @@ std::vector<Expression> spatial(const Reached& x, bool motion) {
 
 }  // namespace
 
-Reached start(Graph& graph, int moment_from) {
-  Reached here = {&graph};
+PathPose start(Graph& graph, int moment_from) {
+  PathPose here = {&graph};
   for (std::size_t i = 0; i < 3; ++i) here.rotation[i][i] = graph.one();
   here.moment_from = moment_from;
   return here;
 }
 
-void advance(Reached& here, const Pose& pose) {
+void advance(PathPose& here, const Pose& pose) {
   if (here.segment == here.moment_from) here.moment = moment_of(here);
   const bool along = here.segment >= here.moment_from;
   here.position += multiply(here.rotation, pose.offset);
@@ -210,7 +211,7 @@ void advance(Reached& here, const Pose& pose) {
 }
 
 Program cheapest_transform(TransformForm form, int tail, const std::function<Program(int moment_from)>& make) {
-  Program best = make(Reached::kNoSegment);
+  Program best = make(PathPose::kNoSegment);
   if (form == TransformForm::homogeneous) return best;
   const auto cost_of = [](const Program& program) {
     return weighted(symbolic::cost(program), symbolic::kOfTransforms);
@@ -226,11 +227,9 @@ Program cheapest_transform(TransformForm form, int tail, const std::function<Pro
   return best;
 }
 
-void name_reached(Graph& graph, const Reached& here, const std::string& subject) {
-  const char* axes = "xyz";
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t c = 0; c < 3; ++c) graph.name(here.rotation[r][c], subject + "_R" + axes[r] + axes[c]);
-  name(graph, here.position, subject + "_p");
+void name_path_pose(const PathPose& here, const std::string& subject) {
+  named("R", subject, here.rotation);
+  named("p", subject, here.position);
 }
 
 Vector3 column(const Matrix3& m, std::size_t k) {
@@ -242,7 +241,7 @@ Motion in_axes(const Matrix3& rotation, const Motion& motion, bool negated) {
   return negated ? Motion{-turned.angular, -turned.linear} : turned;
 }
 
-void output_transform(ProgramTrace& trace, const Reached& x, TransformForm form) {
+void output_transform(ProgramTrace& trace, const PathPose& x, TransformForm form) {
   switch (form) {
     case TransformForm::homogeneous:
       return trace.output("X", Role::homogeneous, 4, 4, homogeneous(trace.graph, x));

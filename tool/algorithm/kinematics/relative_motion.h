@@ -1,6 +1,6 @@
-// A frame as seen from another one: its position and its motion. They are computed in each frame of the path, from the
-// last joint to the first: a joint adds its own motion to that seen from behind it, and everything is rotated to the
-// axes of the frame before.
+// The position and the motion of a target frame relative to another frame. A recursion along the path between the
+// frames computes them relative to each frame of the path, from the last joint to the first: a joint adds its own
+// motion, and all vectors are rotated to the axes of the next frame.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace robcogen::algorithm {
 
 // The target's origin with its derivatives by time, its angular velocity and the derivative of that, all relative to
-// the observing frame and in its axes.
-struct Seen {
+// the other frame and in its axes.
+struct RelativeMotion {
   Vector3 position, velocity, acceleration;
   Vector3 w, wd;
 };
@@ -22,8 +22,9 @@ Path path_from_target(const model::KinematicTree& tree, const model::FramePair& 
 // A joint's rate or acceleration, in the direction in which the path passes it.
 Expression along(const JointOnPath& passed, const std::vector<Expression>& values);
 
-// The target of a path from target to left, as seen from left. Positions, rates and accelerations by joint.
-Seen seen_from(
+// The motion of the target of a path from target to left, relative to left. Positions, rates and accelerations by
+// joint.
+RelativeMotion relative_motion(
     Trace& trace,
     const Path& path,
     const std::vector<Expression>& q,
