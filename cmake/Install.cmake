@@ -48,6 +48,7 @@ install(
         cmake/RobcogenView.cmake
         cmake/RobcogenXacro.cmake
         cmake/RobcogenExpandXacro.cmake
+        tool/algorithm/catalogue/groups.inc
         tool/backend/common/keywords.inc
         tool/backend/common/macros.inc
         tool/backend/common/globals.inc

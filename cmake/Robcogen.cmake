@@ -78,18 +78,29 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenView.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenXacro.cmake)
 
 set_property(GLOBAL PROPERTY ROBCOGEN_VERSION ${robcogen_VERSION})
-set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS inverse_dynamics bias_forces passive_forces forward_dynamics
-                                             joint_space_inertia joint_space_inertia_factor coriolis_matrix
-                                             inverse_dynamics_derivatives inverse_dynamics_gradient
-                                             inverse_dynamics_second_derivatives
-                                             forward_dynamics_derivatives centroidal energy centroidal_bias contacts
-                                             constrained_forward_dynamics_derivatives operational_space regressor
-                                             base_regressor energy_regressor slotine_li_regressor transforms jacobians
-                                             jacobian_references jacobians_with_base jacobian_derivatives velocities
-                                             accelerations world world_centroidal)
-# The default groups: functions that most programs need and that compile quickly.
-set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS inverse_dynamics bias_forces forward_dynamics joint_space_inertia
-                                                     joint_space_inertia_factor centroidal energy transforms jacobians)
+# ROBCOGEN_GROUPS and ROBCOGEN_DEFAULT_GROUPS: the groups of functions, from the generator's list. In an installed package it
+# is in the folder of this file.
+function(_robcogen_read_groups)
+  set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/groups.inc)
+  if(NOT EXISTS ${file})
+    set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tool/algorithm/catalogue/groups.inc)
+  endif()
+  if(NOT CMAKE_SCRIPT_MODE_FILE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endif()
+  file(STRINGS ${file} lines REGEX "^ROBCOGEN_GROUP\\(")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^ROBCOGEN_GROUP\\(([a-z_]+), (true|false),")
+      list(APPEND groups ${CMAKE_MATCH_1})
+      if(CMAKE_MATCH_2)
+        list(APPEND default_groups ${CMAKE_MATCH_1})
+      endif()
+    endif()
+  endforeach()
+  set_property(GLOBAL PROPERTY ROBCOGEN_GROUPS ${groups})
+  set_property(GLOBAL PROPERTY ROBCOGEN_DEFAULT_GROUPS ${default_groups})
+endfunction()
+_robcogen_read_groups()
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)

@@ -47,18 +47,17 @@ TEST(Groups, OfCMakeAreThoseOfTheGenerator) {
   EXPECT_EQ(split(ROBCOGEN_DEFAULT_GROUPS, ','), groups.by_default);
 }
 
-// Compares the rows | `group` | yes or no | functions | of cmake/README.md.
+// The rows | `group` | yes or no | functions | of cmake/README.md are the lines of the generator's list.
 TEST(Groups, OfTheGuideAreThoseOfTheGenerator) {
-  const Groups groups = groups_of_tool();
-  Groups shown;
-  for (const Words& row : table_rows(read_text(source_folder() / "cmake/README.md"))) {
-    if (row.size() != 3 || (row[1] != "yes" && row[1] != "no")) continue;
-    const std::string group = row[0].substr(1, row[0].size() - 2);
-    shown.all.push_back(group);
-    if (row[1] == "yes") shown.by_default.push_back(group);
-  }
-  EXPECT_EQ(shown.all, groups.all);
-  EXPECT_EQ(shown.by_default, groups.by_default);
+  std::vector<Words> listed, shown;
+  const std::regex line(R"re(ROBCOGEN_GROUP\((\w+), (true|false), [\w |]+, "(.*)"\))re");
+  for (const std::string& text : split(read_text(source_folder() / "tool/algorithm/catalogue/groups.inc"), '\n'))
+    if (std::smatch found; std::regex_match(text, found, line))
+      listed.push_back({"`" + found[1].str() + "`", found[2] == "true" ? "yes" : "no", found[3]});
+  for (const Words& row : table_rows(read_text(source_folder() / "cmake/README.md")))
+    if (row.size() == 3 && (row[1] == "yes" || row[1] == "no")) shown.push_back(row);
+  EXPECT_EQ(shown, listed);
+  EXPECT_EQ(listed.size(), groups_of_tool().all.size());
 }
 
 // The rows | `KEYWORD`, `KEYWORD` | meaning | of cmake/README.md list every keyword of the two functions.

@@ -20,7 +20,7 @@ void check_robot(const std::shared_ptr<const Source>& text) {
   if (!tree || tree->dof() > kMaxJoints || tree->frames().size() > kMaxFrames) return;
   const model::DesiredTransforms desired = model::default_desired(*tree);
   for (const std::string& group : algorithm::groups())
-    for (const algorithm::RobotFunction& f : algorithm::functions(*tree, desired, group))
+    for (const symbolic::Function& f : algorithm::functions(*tree, desired, group))
       is_sound_through_passes(f.program);
 }
 

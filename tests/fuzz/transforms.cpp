@@ -63,7 +63,7 @@ void check_list(const std::shared_ptr<const Source>& text) {
   if (diagnostics.has_errors()) return;
   if (desired.transforms.size() + desired.jacobians.size() > kMaxPairs) return;
   for (const char* group : {"transforms", "jacobians"})
-    for (const algorithm::RobotFunction& f : algorithm::functions(tree, desired, group))
+    for (const symbolic::Function& f : algorithm::functions(tree, desired, group))
       is_sound_through_passes(f.program);
 }
 

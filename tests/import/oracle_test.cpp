@@ -154,7 +154,7 @@ class Interpreted {
  public:
   explicit Interpreted(const model::KinematicTree& tree) : tree_(tree) {
     for (const char* group : {"joint_space_inertia", "bias_forces"}) {
-      for (algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+      for (symbolic::Function& f : algorithm::functions(tree, {}, group)) {
         const std::string name = f.program.name;
         programs_.emplace(name, pass::run(std::move(f.program)));
       }

@@ -261,8 +261,11 @@ std::string losses(const KinematicTree& tree) {
       driver::Model{driver::Robot{tree, {}, derivatives()}}, {.names = {"robot"}, .groups = groups()},
       {.caches_parameters = true, .has_lanes = true});
   std::map<std::string, Program> plain;
+  algorithm::Formulation plain_draft = algorithm::plain_formulation();
+  plain_draft.is_draft = true;
   for (const std::string& group : groups())
-    for (Program& program : algorithm::plain_programs(tree, {}, group)) plain.emplace(program.name, program);
+    for (symbolic::Function& f : algorithm::functions(tree, {}, group, plain_draft))
+      plain.emplace(f.kernel, std::move(f.program));
   for (const backend::Function& f : library.functions) {
     // Functions that read a factor have no formulation.
     if (f.scope == "inertia_factor") continue;

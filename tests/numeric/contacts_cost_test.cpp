@@ -24,8 +24,8 @@ std::map<std::string, int> costs(const std::string& robot, const std::vector<std
   if (!model) throw std::runtime_error(diagnostics.render());
   std::map<std::string, int> result;
   for (const driver::Function& f : driver::programs(*model, {"contacts"}, {}).list) {
-    const symbolic::Cost count = symbolic::cost(f.traced.program);
-    result.insert({f.traced.program.name, count.mul + count.add});
+    const symbolic::Cost count = symbolic::cost(f.program);
+    result.insert({f.program.name, count.mul + count.add});
   }
   return result;
 }

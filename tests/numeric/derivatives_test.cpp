@@ -268,7 +268,7 @@ std::vector<long double> difference(
 }
 
 // Checks the derivatives of one function with respect to all of its inputs; returns the number of blocks.
-int expect_derivatives(const algorithm::RobotFunction& f, std::uint64_t seed) {
+int expect_derivatives(const symbolic::Function& f, std::uint64_t seed) {
   std::vector<std::string> inputs;
   // Quaternions, such as that of a base pose, are left out: their columns are rotations, which the tests of spherical
   // joints compare.
@@ -347,7 +347,7 @@ TEST(Derivatives, OfEveryFunctionByEveryInput) {
     const std::vector<model::Frame> frames = robot.frames();
     const model::FramePair pair = {frames.front(), frames.back()};
     for (const std::string& group : algorithm::groups()) {
-      for (const algorithm::RobotFunction& f : algorithm::functions(robot, {{pair}, {pair}}, group)) {
+      for (const symbolic::Function& f : algorithm::functions(robot, {{pair}, {pair}}, group)) {
         const bool divides_by_inertia = group.starts_with("forward_dynamics") || f.scope == "inertia_factor";
         const bool is_long = group == "inverse_dynamics_second_derivatives";
         if (!divides_by_inertia && !is_long) blocks += expect_derivatives(f, seed);

@@ -91,25 +91,25 @@ InterpretedRobot::InterpretedRobot(
       pending_.push_back(group);
       continue;
     }
-    std::vector<algorithm::RobotFunction> functions = traced(group);
-    for (const algorithm::RobotFunction& f : functions) {
+    std::vector<symbolic::Function> functions = traced(group);
+    for (const symbolic::Function& f : functions) {
       const std::string& name = f.program.name;
       if (group == "jacobians" && symbolic::is_jacobian(f.program.outputs.front().role))
-        tables_.add_jacobian(name, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
+        tables_.add_jacobian(name, frame_index(robot, *robot.find_frame(f.left)), frame_index(robot, *robot.find_frame(f.right)), f.columns);
       if (const auto quantity = frame_quantity(f.program.outputs.front().role))
         tables_.add_frame_function(
-            name, *quantity, frame_index(robot, f.frames.left), frame_index(robot, f.frames.right), f.columns);
+            name, *quantity, frame_index(robot, *robot.find_frame(f.left)), frame_index(robot, *robot.find_frame(f.right)), f.columns);
     }
     add(std::move(functions));
   }
 }
 
-std::vector<algorithm::RobotFunction> InterpretedRobot::traced(const std::string& group) const {
+std::vector<symbolic::Function> InterpretedRobot::traced(const std::string& group) const {
   return algorithm::functions(tree_, desired_, group, formulation_);
 }
 
-void InterpretedRobot::add(std::vector<algorithm::RobotFunction> functions) const {
-  for (algorithm::RobotFunction& f : functions) {
+void InterpretedRobot::add(std::vector<symbolic::Function> functions) const {
+  for (symbolic::Function& f : functions) {
     std::string name = f.program.name;
     programs_.emplace(std::move(name), pass::run(std::move(f.program), passes_));
   }

@@ -113,8 +113,8 @@ class InterpretedRobot {
 
   // Null if there is no such function.
   const symbolic::Program* find(const std::string& name) const;
-  std::vector<algorithm::RobotFunction> traced(const std::string& group) const;
-  void add(std::vector<algorithm::RobotFunction> functions) const;
+  std::vector<symbolic::Function> traced(const std::string& group) const;
+  void add(std::vector<symbolic::Function> functions) const;
 
   model::KinematicTree tree_;
   model::DesiredTransforms desired_;

@@ -48,7 +48,7 @@ TEST(LaneMistakes, SwappedLanesAreFound) {
   const KinematicTree tree = two_legs();
   int swapped = 0;
   for (const std::string group : {"inverse_dynamics", "joint_space_inertia"}) {
-    for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+    for (const symbolic::Function& f : algorithm::functions(tree, {}, group)) {
       const Program program = pass::run(f.program, pass::names());
       const Program packed = pass::packed(program, classes_of(tree, program));
       ASSERT_TRUE(packed.has_lanes()) << program.name;
@@ -89,7 +89,7 @@ TEST(LaneMistakes, SwappedLanesAreFound) {
 TEST(LaneMistakes, LostSignsAreFound) {
   const KinematicTree tree = document("quadruped_fixed");
   int lost = 0;
-  for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, "inverse_dynamics")) {
+  for (const symbolic::Function& f : algorithm::functions(tree, {}, "inverse_dynamics")) {
     const Program program = pass::run(f.program, pass::names());
     const Program packed = pass::packed(program, classes_of(tree, program));
     for (std::size_t i = 0; i < packed.statements.size(); ++i) {

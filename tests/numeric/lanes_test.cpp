@@ -243,6 +243,19 @@ void expect_same_program(const Program& expected, const Program& program) {
   ASSERT_EQ(symbolic::print(*read), symbolic::print(program));
 }
 
+// The programs of a group whose congruent limbs fold in the same way; nullopt for those that do not fold differently.
+std::vector<std::optional<Program>> congruent_programs(
+    const KinematicTree& tree,
+    const std::string& group,
+    algorithm::FormulationChoices& for_congruent_limbs) {
+  std::vector<std::optional<Program>> programs;
+  for (symbolic::Function& f : algorithm::functions(tree, {}, group, for_congruent_limbs)) {
+    const bool is_other = algorithm::folds_like_others(f.program);
+    programs.push_back(is_other ? std::optional(std::move(f.program)) : std::nullopt);
+  }
+  return programs;
+}
+
 void expect_same_results(
     const KinematicTree& tree,
     const std::vector<std::string>& steps,
@@ -255,9 +268,9 @@ void expect_same_results(
   algorithm::FormulationChoices formulations(tree, formulation);
   auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   for (const std::string& group : algorithm::groups()) {
-    const std::vector<algorithm::RobotFunction> functions = algorithm::functions(tree, {}, group, formulations);
+    const std::vector<symbolic::Function> functions = algorithm::functions(tree, {}, group, formulations);
     std::vector<std::optional<Program>> congruent;
-    if (tree.parameters.empty()) congruent = algorithm::congruent_programs(tree, {}, group, for_congruent_limbs);
+    if (tree.parameters.empty()) congruent = congruent_programs(tree, group, for_congruent_limbs);
     congruent.resize(functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i) {
       const Program program = pass::run(functions[i].program, passes);
@@ -334,7 +347,7 @@ TEST(Lanes, OfAHandThatIsTurnedByARoundingTakeLittleMore) {
     formulation.effort = 1;
     algorithm::FormulationChoices choices(tree, formulation);
     auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(choices);
-    std::optional<Program> congruent = algorithm::congruent_programs(tree, {}, group, for_congruent_limbs).front();
+    std::optional<Program> congruent = congruent_programs(tree, group, for_congruent_limbs).front();
     const Program program = pass::run(algorithm::functions(tree, {}, group, choices).front().program, pass::names());
     if (congruent) congruent = pass::run(std::move(*congruent), pass::names());
     const Program packed = pass::pack_lanes(program, classes_of(tree, program), congruent).program;
@@ -358,7 +371,7 @@ TEST(Lanes, OfCoupledLegsTakeHalfTheInstructions) {
     hip.drive.rotor = {Quantity(1e-4), Quantity(9.0), {}, hip.parent};
   }
   for (const std::string group : {"inverse_dynamics", "joint_space_inertia", "bias_forces"}) {
-    for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+    for (const symbolic::Function& f : algorithm::functions(tree, {}, group)) {
       const Program program = pass::run(f.program, pass::names());
       const Program packed = pass::packed(program, classes_of(tree, program));
       const int before = symbolic::cost(program).instructions, after = symbolic::cost(packed).instructions;
@@ -400,8 +413,8 @@ TEST(Lanes, OfLimbsThatFoldAlikeCountAsThoseWithoutZeros) {
   auto for_congruent_limbs = algorithm::FormulationChoices::for_congruent_limbs(formulations);
   auto for_others = algorithm::FormulationChoices::for_congruent_limbs(of_others);
   for (const std::string group : {"inverse_dynamics", "forward_dynamics", "joint_space_inertia"}) {
-    const auto congruent = algorithm::congruent_programs(with_zeros, {}, group, for_congruent_limbs);
-    for (const auto& program : algorithm::congruent_programs(without, {}, group, for_others))
+    const auto congruent = congruent_programs(with_zeros, group, for_congruent_limbs);
+    for (const auto& program : congruent_programs(without, group, for_others))
       EXPECT_FALSE(program) << "nothing differs";
     const auto others = algorithm::functions(without, {}, group, of_others);
     ASSERT_EQ(congruent.size(), others.size()) << group;
@@ -441,7 +454,7 @@ TEST(Lanes, WhatHasLanesIsNotPackedAgain) {
   for (const char* name : {"quadruped_fixed", "quadruped", "centaur"}) {
     const KinematicTree tree = document(name);
     for (const std::string group : {"inverse_dynamics", "forward_dynamics"}) {
-      for (const algorithm::RobotFunction& f : algorithm::functions(tree, {}, group)) {
+      for (const symbolic::Function& f : algorithm::functions(tree, {}, group)) {
         const Program program = pass::run(f.program, pass::names());
         const pass::Packed once = pass::pack_lanes(program, classes_of(tree, program));
         const pass::Packed twice = pass::pack_lanes(once.program, classes_of(tree, once.program));

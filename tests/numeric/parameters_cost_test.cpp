@@ -59,9 +59,9 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
     std::vector<symbolic::Program> programs, constants;
     for (const std::string& group : algorithm::groups()) {
       if (group == "transforms" || group == "jacobians") continue;
-      for (const algorithm::RobotFunction& f : algorithm::functions(robot, {}, group, parametric_frames))
+      for (const symbolic::Function& f : algorithm::functions(robot, {}, group, parametric_frames))
         if (f.name != "total_mass") programs.push_back(f.program);  // a constant for the twin
-      for (const algorithm::RobotFunction& f : algorithm::functions(constant, {}, group, constant_frames))
+      for (const symbolic::Function& f : algorithm::functions(constant, {}, group, constant_frames))
         constants.push_back(f.program);
     }
     const pass::SplitPrograms split = pass::split_parameters(programs, interfaces);

@@ -171,7 +171,7 @@ TEST(Parameters, SplitOffChangeNoResult) {
     if (p.values.empty()) continue;
     std::vector<symbolic::Program> programs;
     for (const std::string& group : algorithm::groups())
-      for (const algorithm::RobotFunction& f : algorithm::functions(p.robot, random_desired(seed, p.robot), group))
+      for (const symbolic::Function& f : algorithm::functions(p.robot, random_desired(seed, p.robot), group))
         programs.push_back(f.program);
     std::vector<pass::Interfaces> interfaces;
     for (const model::Parameter& parameter : p.robot.parameters)

@@ -43,7 +43,7 @@ KinematicTree chain(std::uint64_t seed, int joints = 4) {
 // frames.
 int operations(const KinematicTree& robot) {
   const std::string name = robot.floating_base ? "inverse_dynamics_fully_actuated" : "inverse_dynamics";
-  for (algorithm::RobotFunction& f : algorithm::functions(robot, {}, "inverse_dynamics")) {
+  for (symbolic::Function& f : algorithm::functions(robot, {}, "inverse_dynamics")) {
     if (f.name != name) continue;
     const symbolic::Cost n = symbolic::cost(pass::run(std::move(f.program), pass::names()));
     return n.mul + n.add + n.div;

@@ -100,7 +100,7 @@ inline symbolic::Program program_of(
     const model::KinematicTree& tree,
     const std::string& group,
     const std::string& name) {
-  for (algorithm::RobotFunction& f : algorithm::functions(tree, {}, group))
+  for (symbolic::Function& f : algorithm::functions(tree, {}, group))
     if (f.program.name == name) return std::move(f.program);
   ADD_FAILURE() << name;
   return {};

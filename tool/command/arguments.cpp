@@ -257,11 +257,11 @@ bool Argument::is_required() const {
 
 Signature signature_of(
     const std::string& function,
-    const std::vector<const symbolic::Program*>& overloads,
+    const std::vector<symbolic::Program>& overloads,
     const model::KinematicTree& tree) {
   Signature signature = {function, {}, &tree};
   // The last overload takes all arguments.
-  for (const InputArray& array : overloads.back()->inputs) {
+  for (const InputArray& array : overloads.back().inputs) {
     if (array.role == Role::parameters) {
       signature.arguments.push_back(parameters_argument(tree.parameters));
       continue;
@@ -272,7 +272,7 @@ Signature signature_of(
     }
     Argument a = array_argument(array);
     const bool some_do_without = std::any_of(
-        overloads.begin(), overloads.end(), [&](const symbolic::Program* p) { return !takes(*p, array.name); });
+        overloads.begin(), overloads.end(), [&](const symbolic::Program& p) { return !takes(p, array.name); });
     if (some_do_without || (array.role == Role::gravity && !tree.floating_base))
       a.defaults = default_of(array);
     else if (array.role == Role::gravity)

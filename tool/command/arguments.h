@@ -43,7 +43,7 @@ struct Signature {
 // The signature of a robot's function, from all its overloads. Arguments that only some of them take have a default.
 Signature signature_of(
     const std::string& function,
-    const std::vector<const symbolic::Program*>& overloads,
+    const std::vector<symbolic::Program>& overloads,
     const model::KinematicTree& tree);
 Signature signature_of(
     const std::string& function,

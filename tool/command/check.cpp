@@ -4,7 +4,7 @@
 #include "command/output.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
-#include "driver/trace.h"
+#include "driver/declare.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 

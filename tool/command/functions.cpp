@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "driver/candidates.h"
 #include "driver/derivatives.h"
 #include "driver/driver.h"
 #include "driver/find_function.h"
@@ -12,18 +13,18 @@
 namespace robcogen::command {
 namespace {
 
-using algorithm::RobotFunction;
-
-// The overloads of this name, which differ in their loads.
+// The overloads of this name, which differ in their loads. Only the last one, which takes all arguments, is traced.
 EvaluableFunction evaluable(
     const std::string& name,
-    std::vector<RobotFunction> overloads,
+    const std::vector<driver::Function>& overloads,
     const model::KinematicTree& tree,
-    const std::vector<std::string>& passes) {
-  std::vector<const symbolic::Program*> programs;
-  for (const RobotFunction& f : overloads) programs.push_back(&f.program);
-  Signature signature = signature_of(name, programs, tree);
-  return {std::move(signature), pass::run(std::move(overloads.back().program), passes)};
+    const driver::Steps& steps) {
+  algorithm::FormulationChoices choices(tree, steps.formulation());
+  symbolic::Program program = driver::traced(overloads.back(), choices).program;
+  std::vector<symbolic::Program> outlines;
+  for (const driver::Function& f : overloads) outlines.push_back(algorithm::outline(*f.declared));
+  outlines.back() = program;
+  return {signature_of(name, outlines, tree), pass::run(std::move(program), steps.passes())};
 }
 
 // The update of this name, among those that compute the cache of a robot with parameters.
@@ -33,9 +34,9 @@ std::optional<EvaluableFunction> find_update(
     const driver::Steps& steps) {
   if (model.parameters().empty()) return std::nullopt;
   driver::Functions functions = driver::programs(model, algorithm::groups(), steps, {.caches_parameters = true});
-  for (backend::Function& f : functions.updates)
+  for (symbolic::Function& f : functions.updates)
     if (dotted(f.scope, f.name) == name)
-      return EvaluableFunction{signature_of(name, {&f.program}, model.robot()->tree), std::move(f.program)};
+      return EvaluableFunction{signature_of(name, {f.program}, model.robot()->tree), std::move(f.program)};
   return std::nullopt;
 }
 
@@ -44,16 +45,14 @@ EvaluableFunction find_function_of_robot(
     const std::string& name,
     const driver::Steps& steps) {
   const driver::Robot& robot = *model.robot();
-  const std::vector<std::string> passes = steps.passes();
-  algorithm::FormulationChoices formulations(robot.tree, steps.formulation());
-  std::vector<RobotFunction> derivatives;
-  for (RobotFunction& f : driver::derivative_functions(robot, model.file, formulations))
-    if (dotted(f.scope, f.name) == name) derivatives.push_back(std::move(f));
-  if (!derivatives.empty()) return evaluable(name, std::move(derivatives), robot.tree, passes);
-  driver::FoundFunctions found = driver::find_functions(robot, name, formulations);
-  if (!found.overloads.empty()) return evaluable(name, std::move(found.overloads), robot.tree, passes);
+  std::vector<driver::Function> overloads = driver::derivative_functions(robot, model.file);
+  std::erase_if(overloads, [&](const driver::Function& f) { return dotted(f.scope, f.name) != name; });
+  if (overloads.empty())
+    for (algorithm::Declared& declared : driver::find_functions(robot, name))
+      overloads.push_back(driver::function_of(std::move(declared)));
+  if (!overloads.empty()) return evaluable(name, overloads, robot.tree, steps);
   if (std::optional<EvaluableFunction> update = find_update(model, name, steps)) return std::move(*update);
-  driver::refuse_function(fmt::format("robot '{}'", robot.tree.name), model.file, name, found.names);
+  driver::refuse_function(fmt::format("robot '{}'", robot.tree.name), model.file, name, driver::function_names(robot));
 }
 
 EvaluableFunction find_function_of_transforms(
@@ -63,8 +62,8 @@ EvaluableFunction find_function_of_transforms(
   const model::CoordinateTransforms& document = model.transforms()->document;
   std::vector<std::string> names;
   for (driver::Function& f : driver::programs(model, {}, steps).list) {
-    names.push_back(dotted(f.traced.scope, f.traced.name));
-    if (names.back() == name) return {signature_of(name, f.traced.program, document), std::move(f.traced.program)};
+    names.push_back(dotted(f.scope, f.name));
+    if (names.back() == name) return {signature_of(name, f.program, document), std::move(f.program)};
   }
   driver::refuse_function(fmt::format("model '{}'", document.name), model.file, name, names);
 }

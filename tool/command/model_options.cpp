@@ -127,9 +127,9 @@ std::optional<Programs> ModelOptions::load_programs(
   Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}, model->read};
   for (driver::Function& f : functions.list)
     programs.list.push_back(
-        {dotted(f.traced.scope, f.traced.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.traced.program),
-         std::move(f.traced.method), f.traced.error});
-  for (backend::Function& f : functions.updates)
+        {dotted(f.scope, f.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program), std::move(f.method),
+         f.error});
+  for (symbolic::Function& f : functions.updates)
     programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }

@@ -4,6 +4,7 @@
 #include "command/output_files.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
+#include "driver/optimise.h"
 #include "language/desired/document.h"
 #include "language/kinematics/original.h"
 #include "language/motion/document.h"
@@ -64,22 +65,23 @@ Status print_document(const PrintOptions& options) {
   return ok;
 }
 
+// Of all functions, only the one with this program is traced.
 Status print_program(const PrintOptions& options) {
-  const std::optional<Programs> programs = options.model.load_programs();
-  if (!programs) return wrong_input;
-  require_apart_from_output(programs->read);
+  const std::optional<driver::Model> model = options.model.load();
+  if (!model) return wrong_input;
+  require_apart_from_output(model->read);
+  driver::Functions functions = driver::declare(*model, algorithm::groups());
   std::vector<std::string> kernels;
-  for (const NamedProgram& f : programs->list) {
-    if (f.program.name == options.program) {
-      write_output(symbolic::print(f.program));
-      return ok;
-    }
-    kernels.push_back(f.program.name);
-  }
-  throw Failure{
-      wrong_usage, with_hint(
-                       fmt::format("robcogen: error: the model has no program '{}'", options.program),
-                       did_you_mean(options.program, kernels))};
+  for (const driver::Function& f : functions.list) kernels.push_back(f.kernel);
+  std::erase_if(functions.list, [&](const driver::Function& f) { return f.kernel != options.program; });
+  if (functions.list.empty())
+    throw Failure{
+        wrong_usage, with_hint(
+                         fmt::format("robcogen: error: the model has no program '{}'", options.program),
+                         did_you_mean(options.program, kernels))};
+  functions = driver::optimise(*model, std::move(functions), options.model.steps, {});
+  write_output(symbolic::print(functions.list.front().program));
+  return ok;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -14,8 +15,7 @@
 namespace robcogen::driver {
 namespace {
 
-using algorithm::RobotFunction;
-using algorithm::TransformFunction;
+using algorithm::Declared;
 using symbolic::DerivativeMode;
 using symbolic::Program;
 using symbolic::Role;
@@ -59,17 +59,17 @@ void require_smooth_inputs(const Derivative& derivative, const Program& program)
                           array.name, derivative.function, fmt::join(others, ", ")));
 }
 
-// `all` are the programs of the overloads.
-void require_inputs(const Derivative& derivative, const std::vector<const Program*>& all) {
+// `all` have the inputs and outputs of the overloads.
+void require_inputs(const Derivative& derivative, const std::vector<Program>& all) {
   std::vector<std::string> known, results;
-  for (const Program* program : all) {
-    for (const symbolic::InputArray& array : program->inputs)
+  for (const Program& program : all) {
+    for (const symbolic::InputArray& array : program.inputs)
       if (std::count(known.begin(), known.end(), array.name) == 0) known.push_back(array.name);
-    for (const symbolic::OutputArray& array : program->outputs) results.push_back(array.name);
+    for (const symbolic::OutputArray& array : program.outputs) results.push_back(array.name);
   }
   const std::string arguments = known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "));
   const bool turns = std::any_of(
-      all.begin(), all.end(), [](const Program* program) { return takes(*program, symbolic::kBaseRotation); });
+      all.begin(), all.end(), [](const Program& program) { return takes(program, symbolic::kBaseRotation); });
   if (turns) known.emplace_back(symbolic::kBaseRotation);
   for (const std::string& input : derivative.inputs) {
     if (std::count(known.begin(), known.end(), input) > 0) continue;
@@ -87,9 +87,9 @@ void require_inputs(const Derivative& derivative, const std::vector<const Progra
             is_result ? "a result, not" : "not", derivative.function, arguments),
         is_result ? "" : did_you_mean(input, known));
   }
-  for (const Program* program : all) require_smooth_inputs(derivative, *program);
+  for (const Program& program : all) require_smooth_inputs(derivative, program);
   const bool together =
-      std::any_of(all.begin(), all.end(), [&](const Program* program) { return takes_all(*program, derivative); });
+      std::any_of(all.begin(), all.end(), [&](const Program& program) { return takes_all(program, derivative); });
   if (!together) refuse(derivative, fmt::format("no form of {} takes these together", derivative.function));
 }
 
@@ -129,9 +129,8 @@ std::string summary_of(const Derivative& derivative) {
       fmt::join(derivative.inputs, ", "));
 }
 
-template <class Function>
-Function differentiated(
-    Function function,
+symbolic::Function differentiated(
+    symbolic::Function function,
     const Derivative& derivative,
     DerivativeMode mode,
     const symbolic::FollowerRates& rates = {},
@@ -154,6 +153,7 @@ Function differentiated(
   function.derivatives = std::move(blocks);
   function.program = differentiated(function.program, derivative, mode, rates, hint);
   function.name += suffix_of(derivative);
+  function.kernel = function.program.name;
   function.summary.push_back(summary_of(derivative));
   if (is_by_turns)
     function.summary.emplace_back(
@@ -187,25 +187,18 @@ std::string hint_of_group(const model::KinematicTree& tree, const std::string& f
   return "";
 }
 
-template <class Function>
-std::vector<const Program*> programs_of(const std::vector<Function>& functions) {
-  std::vector<const Program*> programs;
-  for (const Function& f : functions) programs.push_back(&f.program);
-  return programs;
-}
-
 bool is_identifier(const std::string& text) {
   return !text.empty() && !(text[0] >= '0' && text[0] <= '9');
 }
 
 // Each derivative once.
-std::vector<Derivative> distinct(const std::vector<Derivative>& list) {
-  std::vector<Derivative> result;
+std::vector<const Derivative*> distinct(const std::vector<Derivative>& list) {
+  std::vector<const Derivative*> result;
   for (const Derivative& d : list) {
-    const bool is_known = std::any_of(result.begin(), result.end(), [&](const Derivative& other) {
-      return other.function == d.function && other.inputs == d.inputs;
+    const bool is_known = std::any_of(result.begin(), result.end(), [&](const Derivative* other) {
+      return other->function == d.function && other->inputs == d.inputs;
     });
-    if (!is_known) result.push_back(d);
+    if (!is_known) result.push_back(&d);
   }
   return result;
 }
@@ -238,52 +231,67 @@ Derivative parse_derivative(const std::string& text) {
   return result;
 }
 
-std::vector<RobotFunction> derivative_functions(
-    const Robot& robot,
-    const std::filesystem::path& model,
-    algorithm::FormulationChoices& formulations) {
-  std::vector<RobotFunction> list;
-  algorithm::Formulation draft = algorithm::plain_formulation();
-  draft.is_draft = true;
-  algorithm::FormulationChoices drafts(robot.tree, draft);  // fast: it does not search for frames
-  const DerivativeMode mode = algorithm::derivative_mode(formulations.common());
-  const symbolic::FollowerRates rates = algorithm::follower_rates(robot.tree);
-  for (const Derivative& derivative : distinct(robot.derivatives)) {
-    const FoundFunctions found = find_functions(robot, derivative.function, drafts);
-    if (found.overloads.empty())
-      refuse_function(fmt::format("robot '{}'", robot.tree.name), model, derivative.function, found.names);
-    const RobotFunction& first = found.overloads.front();
-    if (first.scope == "inertia_factor")
+Function function_of(Declared declared, const Derivative* derivative) {
+  Function function;
+  const std::string suffix = derivative ? suffix_of(*derivative) : "";
+  function.group = derivative ? kDerivativesGroup : declared.is->group;
+  function.scope = declared.is->scope;
+  function.name = declared.name + suffix;
+  function.kernel = declared.kernel + suffix;
+  function.declared = std::make_shared<const Declared>(std::move(declared));
+  function.derivative = derivative;
+  return function;
+}
+
+std::vector<Function> derivative_functions(const Robot& robot, const std::filesystem::path& model) {
+  std::vector<Function> list;
+  for (const Derivative* derivative : distinct(robot.derivatives)) {
+    const std::vector<Declared> overloads = find_functions(robot, derivative->function);
+    if (overloads.empty())
+      refuse_function(fmt::format("robot '{}'", robot.tree.name), model, derivative->function, function_names(robot));
+    if (overloads.front().is->scope == std::string("inertia_factor"))
       refuse(
-          derivative, "functions of an inertia factor take an object, not numbers",
+          *derivative, "functions of an inertia factor take an object, not numbers",
           "joint_space_inertia and forward_dynamics have derivatives");
-    require_inputs(derivative, programs_of(found.overloads));
-    for (RobotFunction& f : algorithm::functions(
-             robot.tree, {{first.frames}, {first.frames}, robot.desired.contacts}, first.group, formulations)) {
-      if (f.scope != first.scope || f.name != first.name || !takes_all(f.program, derivative)) continue;
-      f.group = kDerivativesGroup;
-      const std::string hint = hint_of_group(robot.tree, f.name);
-      list.push_back(differentiated(std::move(f), derivative, mode, rates, hint));
-    }
+    std::vector<Program> outlines;
+    for (const Declared& overload : overloads) outlines.push_back(algorithm::outline(overload));
+    require_inputs(*derivative, outlines);
+    for (std::size_t k = 0; k < overloads.size(); ++k)
+      if (takes_all(outlines[k], *derivative)) list.push_back(function_of(overloads[k], derivative));
   }
   return list;
 }
 
-std::vector<TransformFunction> derivative_functions(const Transforms& transforms, const std::filesystem::path& model) {
-  if (transforms.derivatives.empty()) return {};
-  const std::vector<TransformFunction> functions = algorithm::transform_functions(transforms.document);
+std::vector<symbolic::Function> derivative_functions(
+    const Transforms& transforms,
+    const std::vector<Function>& functions,
+    const std::filesystem::path& model) {
   std::vector<std::string> names;
-  for (const TransformFunction& f : functions) names.push_back(dotted(f.scope, f.name));
-  std::vector<TransformFunction> list;
-  for (const Derivative& derivative : distinct(transforms.derivatives)) {
-    const auto place = std::find(names.begin(), names.end(), derivative.function);
+  for (const Function& f : functions) names.push_back(dotted(f.scope, f.name));
+  std::vector<symbolic::Function> list;
+  for (const Derivative* derivative : distinct(transforms.derivatives)) {
+    const auto place = std::find(names.begin(), names.end(), derivative->function);
     if (place == names.end())
-      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative.function, names);
-    const TransformFunction& f = functions[static_cast<std::size_t>(place - names.begin())];
-    require_inputs(derivative, {&f.program});
-    list.push_back(differentiated(f, derivative, DerivativeMode::cheaper));
+      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative->function, names);
+    symbolic::Function f = functions[static_cast<std::size_t>(place - names.begin())];
+    require_inputs(*derivative, {f.program});
+    f.group = kDerivativesGroup;
+    list.push_back(differentiated(std::move(f), *derivative, DerivativeMode::cheaper));
   }
   return list;
+}
+
+symbolic::Function differentiated(
+    symbolic::Function function,
+    const Derivative& derivative,
+    const Declared& declared,
+    const algorithm::FormulationChoices& choices) {
+  const model::KinematicTree& tree = declared.subject.tree;
+  function.group = kDerivativesGroup;
+  const std::string hint = hint_of_group(tree, function.name);
+  return differentiated(
+      std::move(function), derivative, algorithm::derivative_mode(choices.common()), algorithm::follower_rates(tree),
+      hint);
 }
 
 }  // namespace robcogen::driver

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "algorithm/catalogue/catalogue.h"
-#include "algorithm/catalogue/transform_functions.h"
-#include "driver/load.h"
+#include "driver/functions.h"
 
 namespace robcogen::driver {
 
@@ -21,14 +20,24 @@ Derivative parse_derivative(const std::string& text);
 // scope of f, and there is one for each overload of f that takes these inputs. Its results are those of f, then for
 // each input and each result a matrix with one row per element of the result (column by column) and one column per
 // element of the input (symbolic/derivative.h). Throws a Failure that names `model` if the robot has no such function,
-// if the function has no such input, or if the program would be too long to compile.
-std::vector<algorithm::RobotFunction> derivative_functions(
-    const Robot& robot,
-    const std::filesystem::path& model,
-    algorithm::FormulationChoices& formulations);
+// or if the function has no such input.
+std::vector<Function> derivative_functions(const Robot& robot, const std::filesystem::path& model);
 
-std::vector<algorithm::TransformFunction> derivative_functions(
+// The same for transforms, among whose functions are these.
+std::vector<symbolic::Function> derivative_functions(
     const Transforms& transforms,
+    const std::vector<Function>& functions,
     const std::filesystem::path& model);
+
+// A function that was traced with these choices, with its derivatives. Throws a Failure if the program would be too
+// long to compile.
+symbolic::Function differentiated(
+    symbolic::Function function,
+    const Derivative& derivative,
+    const algorithm::Declared& declared,
+    const algorithm::FormulationChoices& choices);
+
+// A declared function by its names.
+Function function_of(algorithm::Declared declared, const Derivative* derivative = nullptr);
 
 }  // namespace robcogen::driver

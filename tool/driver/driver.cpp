@@ -15,10 +15,7 @@ Functions programs(
     const std::vector<std::string>& groups,
     const Steps& steps,
     const backend::Features& features) {
-  // The formulation is chosen during tracing, because it depends on the robot and the algorithm.
-  const bool in_lanes = features.has_lanes && steps.has_lanes();
-  Functions functions = in_lanes ? trace_for_lanes(model, groups, steps) : trace(model, groups, steps);
-  return optimise(model, std::move(functions), steps, features);
+  return optimise(model, declare(model, groups), steps, features);
 }
 
 namespace {

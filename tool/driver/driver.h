@@ -1,18 +1,19 @@
 // The generator as a library: from a model to the files of its code.
 //
-//     load -> formulate and trace -> optimise -> assemble -> print
+//     load -> declare -> choose -> variants -> assemble -> print
 //
-// Each phase is a function from one value to the next (load.h, trace.h, optimise.h, library.h, backend/languages.h).
+// Each phase is a function from one value to the next (load.h, declare.h, candidates.h, optimise.h, library.h,
+// backend/languages.h).
 // Robots and documents of coordinate transforms pass through the same phases.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "driver/declare.h"
 #include "driver/library.h"
 #include "driver/load.h"
 #include "driver/steps.h"
-#include "driver/trace.h"
 
 namespace robcogen::driver {
 

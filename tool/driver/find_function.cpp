@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
-#include <utility>
 
 #include "backend/common/names.h"
 #include "driver/failure.h"
@@ -13,72 +10,37 @@
 namespace robcogen::driver {
 namespace {
 
-using algorithm::RobotFunction;
+using algorithm::Declaration;
+using algorithm::Declared;
+using algorithm::Subject;
 
-// The names of functions between two frames, `jacobians.` A `_J_` B, and of functions of one frame seen from the base,
-// `world.J_` B.
-struct NamePattern {
-  std::string group;
-  std::string prefix;
-  std::string separator;  // empty: the function is of one frame
-
-  std::string name(const model::FramePair& pair) const {
-    return prefix + (separator.empty() ? "" : pair.left.name) + separator + pair.right.name;
-  }
-};
-
-// The patterns of all functions between frames of the robot.
-std::vector<NamePattern> patterns(const model::KinematicTree& tree, algorithm::FormulationChoices& formulations) {
-  const std::vector<model::Frame> frames = tree.frames();
-  // A moving link, if there is one.
-  const auto last = std::find_if(
-      frames.rbegin(), frames.rend(), [](const model::Frame& frame) { return frame.kind == model::Frame::Kind::link; });
-  const model::FramePair pair = {frames.front(), *last};
-  const model::DesiredTransforms desired = {{pair}, {pair}, {}};
-  std::vector<NamePattern> found;
-  for (const std::string& group : algorithm::groups_between_frames())
-    for (const RobotFunction& f : algorithm::functions(tree, desired, group, formulations)) {
-      if (f.frames.left.name.empty()) continue;  // a function of the whole robot
-      const std::string before = f.name.substr(0, f.name.size() - pair.right.name.size());
-      const bool is_of_two = before.size() > pair.left.name.size() && before.starts_with(pair.left.name);
-      if (is_of_two)
-        found.push_back({group, dotted(f.scope, ""), before.substr(pair.left.name.size())});
-      else
-        found.push_back({group, dotted(f.scope, before), ""});
-    }
-  return found;
+// The pattern of the name: `jacobians.{A}_J_{B}`.
+std::string pattern_of(const Declaration& declaration) {
+  return dotted(declaration.scope, declaration.name);
 }
 
-// The frames in a name, if it matches the pattern.
+// The frames in a name, if it matches the pattern. A function of one frame is seen from the base.
 std::optional<model::FramePair> frames_in(
     const model::KinematicTree& tree,
-    const NamePattern& pattern,
+    const std::string& pattern,
     const std::string& name) {
-  if (!name.starts_with(pattern.prefix)) return std::nullopt;
-  const std::string rest = name.substr(pattern.prefix.size());
-  if (pattern.separator.empty()) {
+  const std::size_t first = pattern.find('{');
+  if (first == std::string::npos) return name == pattern ? std::optional(model::FramePair()) : std::nullopt;
+  if (name.compare(0, first, pattern, 0, first) != 0) return std::nullopt;
+  const std::string rest = name.substr(first);
+  const std::size_t second = pattern.find('{', first + 1);
+  if (second == std::string::npos) {
     const auto frame = tree.find_frame(rest);
     return frame ? std::optional(model::FramePair{tree.frames().front(), *frame}) : std::nullopt;
   }
-  for (std::size_t at = rest.find(pattern.separator); at != std::string::npos;
-       at = rest.find(pattern.separator, at + 1)) {
+  const std::size_t between = pattern.find('}') + 1;
+  const std::string separator = pattern.substr(between, second - between);
+  for (std::size_t at = rest.find(separator); at != std::string::npos; at = rest.find(separator, at + 1)) {
     const auto left = tree.find_frame(rest.substr(0, at));
-    const auto right = tree.find_frame(rest.substr(at + pattern.separator.size()));
+    const auto right = tree.find_frame(rest.substr(at + separator.size()));
     if (left && right) return model::FramePair{*left, *right};
   }
   return std::nullopt;
-}
-
-// All groups. The first is the one with the name of the function. The last are those whose functions are between
-// frames, because few of their functions are of the whole robot.
-std::vector<std::string> groups_of_robot(const std::string& name) {
-  const std::vector<std::string>& last = algorithm::groups_between_frames();
-  std::vector<std::string> groups = algorithm::groups();
-  std::stable_partition(groups.begin(), groups.end(), [&](const std::string& group) {
-    return std::find(last.begin(), last.end(), group) == last.end();
-  });
-  std::stable_partition(groups.begin(), groups.end(), [&](const std::string& group) { return group == name; });
-  return groups;
 }
 
 }  // namespace
@@ -87,31 +49,22 @@ std::string dotted(const std::string& scope, const std::string& name) {
   return backend::dotted(scope.empty() ? name : scope + "::" + name);
 }
 
-FoundFunctions find_functions(
-    const Robot& robot,
-    const std::string& name,
-    algorithm::FormulationChoices& formulations) {
-  FoundFunctions found;
-  const auto search = [&](const std::string& group, const model::DesiredTransforms& desired) {
-    for (RobotFunction& f : algorithm::functions(robot.tree, desired, group, formulations)) {
-      found.names.push_back(dotted(f.scope, f.name));
-      if (found.names.back() == name) found.overloads.push_back(std::move(f));
-    }
-    return !found.overloads.empty();
-  };
-
-  // No function of the whole robot has a name with two frames, and this test is the fastest.
-  const std::vector<NamePattern> known = patterns(robot.tree, formulations);
-  for (const NamePattern& pattern : known) {
-    const std::optional<model::FramePair> pair = frames_in(robot.tree, pattern, name);
-    if (pair && search(pattern.group, {{*pair}, {*pair}, {}})) return found;
+std::vector<Declared> find_functions(const Robot& robot, const std::string& name) {
+  for (const Declaration& declaration : algorithm::declarations()) {
+    const std::optional<model::FramePair> frames = frames_in(robot.tree, pattern_of(declaration), name);
+    if (!frames || !algorithm::is_available(robot.tree, declaration.group)) continue;
+    const Subject subject{robot.tree, robot.desired.contacts, *frames};
+    if (algorithm::is_of(declaration, subject)) return algorithm::overloads(declaration, subject);
   }
-  for (const std::string& group : groups_of_robot(name))
-    if (search(group, {{}, {}, robot.desired.contacts})) return found;
-  for (const NamePattern& pattern : known)
-    for (const auto* pairs : {&robot.desired.transforms, &robot.desired.jacobians})
-      for (const model::FramePair& pair : *pairs) found.names.push_back(pattern.name(pair));
-  return found;
+  return {};
+}
+
+std::vector<std::string> function_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const std::string& group : algorithm::groups())
+    for (const Declared& f : algorithm::declared(robot.tree, robot.desired, group))
+      names.push_back(dotted(f.is->scope, f.name));
+  return names;
 }
 
 void refuse_function(

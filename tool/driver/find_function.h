@@ -13,14 +13,12 @@ namespace robcogen::driver {
 // The name of a function on the command line and in messages: `transforms.homogeneous.A_X_B`.
 std::string dotted(const std::string& scope, const std::string& name);
 
-struct FoundFunctions {
-  std::vector<algorithm::RobotFunction> overloads;  // of that name, fewest arguments first; empty: none
-  std::vector<std::string> names;                   // if there are none: the functions that the robot has
-};
+// The functions of a robot with this name, fewest arguments first. They may be between frames that its list of desired
+// transforms does not have.
+std::vector<algorithm::Declared> find_functions(const Robot& robot, const std::string& name);
 
-// The functions of a robot with this name, which may be between frames that its list of desired transforms does not
-// have.
-FoundFunctions find_functions(const Robot& robot, const std::string& name, algorithm::FormulationChoices& formulations);
+// The names of the functions that the robot has.
+std::vector<std::string> function_names(const Robot& robot);
 
 // Throws a Failure for a name that no function of `owner`, such as `robot 'HyL'`, has; `names` are the existing names.
 [[noreturn]] void refuse_function(

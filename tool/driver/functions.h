@@ -1,36 +1,34 @@
-// The functions of a model on their way from the algorithms to a library, as each phase hands them to the next.
+// The functions of a model on their way from declarations to a library, as each phase hands them to the next.
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "algorithm/catalogue/catalogue.h"
 #include "backend/library.h"
+#include "driver/load.h"
 #include "symbolic/accuracy.h"
 
 namespace robcogen::driver {
 
-struct Function {
-  algorithm::RobotFunction traced;  // name, documentation, program
-  int transform = -1;               // without a robot: index of the transform in the document
+// What is printed, once it is chosen; before that, its names.
+struct Function : symbolic::Function {
+  // Of a robot: what it is, and the derivatives that the user asks for, if any.
+  std::shared_ptr<const algorithm::Declared> declared = {};
+  const Derivative* derivative = nullptr;
 
-  // The same program in the formulation in which congruent limbs fold in the same way, if that is a different program.
-  std::optional<symbolic::Program> congruent = {};
-  // The results against which its rounding errors are measured, if they are.
+  // The results against which rounding errors are measured, if they are.
   std::shared_ptr<const symbolic::AccurateResults> results = {};
-  // The same program with congruent limbs in lanes, if there is one, and a text for each class of congruent limbs.
-  std::optional<symbolic::Program> in_lanes = {};
-  std::vector<std::string> limbs_in_lanes = {};
-  std::optional<symbolic::AngleParts> parts = {};
+  // Of a robot: the first candidate was chosen.
+  bool is_first_choice = false;
   bool is_stage = false;  // computes the right-hand sides of another function
 };
 
 struct Functions {
   std::vector<Function> list;
   // The same as the members of these names in backend::Library.
-  std::vector<backend::Function> updates = {}, numbers = {};
+  std::vector<symbolic::Function> updates = {}, numbers = {};
   std::optional<backend::Library::Trigonometry> trigonometry = {};
 };
 

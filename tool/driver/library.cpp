@@ -31,53 +31,35 @@ int index_of(const std::vector<std::string>& frames, const std::string& name) {
   return place == frames.end() ? -1 : static_cast<int>(place - frames.begin());
 }
 
-backend::Function library_function(
+// The function with its frames in the library, and with the products that are asked for.
+symbolic::Function in_library(
+    symbolic::Function function,
     const Model& model,
     const std::vector<std::string>& frames,
-    Function&& f,
     Primitives primitives) {
-  algorithm::RobotFunction& traced = f.traced;
-  backend::Function function;
-  function.group = std::move(traced.group);
-  function.scope = std::move(traced.scope);
-  function.name = std::move(traced.name);
-  function.kernel = traced.program.name;
-  function.summary = std::move(traced.summary);
-  function.columns = std::move(traced.columns);
-  function.labels = std::move(traced.labels);
-  function.program = std::move(traced.program);
-  function.method = std::move(traced.method);
-  function.error = traced.error;
-  function.derivatives = std::move(traced.derivatives);
-  function.parts = std::move(f.parts);
-  function.in_lanes = std::move(f.in_lanes);
-  function.limbs_in_lanes = std::move(f.limbs_in_lanes);
-  function.solved = std::move(traced.solved);
-  const bool is_homogeneous = function.scope == "transforms::homogeneous" && function.derivatives.empty();
+  function.left_frame = index_of(frames, function.left);
+  function.right_frame = index_of(frames, function.right);
+  if (function.scope != "transforms::homogeneous" || !function.derivatives.empty()) return function;
   if (const Robot* robot = model.robot()) {
-    function.left_frame = index_of(frames, traced.frames.left.name);
-    function.right_frame = index_of(frames, traced.frames.right.name);
-    if (is_homogeneous && primitives)
-      function.product = data_of(algorithm::primitive_product(robot->tree, traced.frames, *primitives));
+    const model::FramePair pair = {*robot->tree.find_frame(function.left), *robot->tree.find_frame(function.right)};
+    if (primitives) function.product = data_of(algorithm::primitive_product(robot->tree, pair, *primitives));
     return function;
   }
   const model::CoordinateTransforms& document = model.transforms()->document;
-  const model::CoordinateTransform& transform = document.transforms[at(f.transform)];
-  function.left_frame = index_of(frames, transform.left);
-  function.right_frame = index_of(frames, transform.right);
-  if (!is_homogeneous) return function;
+  const auto transform = std::find_if(document.transforms.begin(), document.transforms.end(), [&](const auto& t) {
+    return algorithm::name_of(t) == function.name;
+  });
   if (primitives)
     function.product = data_of(
-        algorithm::primitive_product(document, transform, *primitives, algorithm::arguments_of(document, transform)));
+        algorithm::primitive_product(document, *transform, *primitives, algorithm::arguments_of(document, *transform)));
   function.factors = data_of(algorithm::primitive_product(
-      document, transform, model::MovedFramePosition::right, algorithm::all_arguments(document)));
+      document, *transform, model::MovedFramePosition::right, algorithm::all_arguments(document)));
   return function;
 }
 
 bool has_contacts(const Functions& functions) {
-  const std::vector<std::string>& groups = algorithm::groups_of_contacts();
-  return std::any_of(functions.list.begin(), functions.list.end(), [&](const Function& f) {
-    return std::find(groups.begin(), groups.end(), f.traced.group) != groups.end();
+  return std::any_of(functions.list.begin(), functions.list.end(), [](const Function& f) {
+    return f.declared && f.declared->is->of == algorithm::Of::contacts && f.derivative == nullptr;
   });
 }
 
@@ -106,8 +88,7 @@ backend::Library assemble(
   }
   const std::vector<std::string> frames = result.frames();
   for (Function& f : functions.list)
-    (f.is_stage ? result.right_sides : result.functions)
-        .push_back(library_function(model, frames, std::move(f), primitives));
+    (f.is_stage ? result.right_sides : result.functions).push_back(in_library(std::move(f), model, frames, primitives));
   result.updates = std::move(functions.updates);
   result.numbers = std::move(functions.numbers);
   result.trigonometry = std::move(functions.trigonometry);

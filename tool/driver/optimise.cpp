@@ -7,7 +7,7 @@
 
 #include "algorithm/catalogue/model_numbers.h"
 #include "algorithm/formulation/congruent_limbs.h"
-#include "driver/accurate_functions.h"
+#include "driver/candidates.h"
 #include "pass/lanes/pack_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
@@ -17,11 +17,9 @@
 namespace robcogen::driver {
 namespace {
 
-using Passes = std::vector<std::string>;
-
 // An internal function of the library.
-backend::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
-  backend::Function function;
+symbolic::Function function_of(const char* group, symbolic::Program program, std::vector<std::string> summary) {
+  symbolic::Function function;
   function.group = group;
   function.name = function.kernel = program.name;
   function.summary = std::move(summary);
@@ -31,7 +29,7 @@ backend::Function function_of(const char* group, symbolic::Program program, std:
 
 Functions run_passes(Functions functions, const Passes& passes) {
   for_each_index(functions.list.size(), [&](std::size_t i) {
-    symbolic::Program& program = functions.list[i].traced.program;
+    symbolic::Program& program = functions.list[i].program;
     program = pass::run(std::move(program), passes);
   });
   return functions;
@@ -40,7 +38,7 @@ Functions run_passes(Functions functions, const Passes& passes) {
 // Leaves only the loops over right-hand sides that a language wants.
 Functions choose_column_loops(Functions functions, backend::ColumnLoops loops) {
   for (Function& function : functions.list) {
-    std::optional<symbolic::SolvedColumns>& solved = function.traced.solved;
+    std::optional<symbolic::SolvedColumns>& solved = function.solved;
     if (!solved || loops == backend::ColumnLoops::if_faster) continue;
     if (loops == backend::ColumnLoops::if_long && solved->is_long)
       solved->limbs.reset();  // columns of limbs are solved in lanes
@@ -55,26 +53,25 @@ Functions choose_column_loops(Functions functions, backend::ColumnLoops loops) {
 Functions separate_right_sides(Functions functions, const Passes& passes, const Passes& passes_of_solution) {
   const std::size_t count = functions.list.size();
   for (std::size_t i = 0; i < count; ++i) {
-    algorithm::RobotFunction& outer = functions.list[i].traced;
+    Function& outer = functions.list[i];
     if (!outer.solved) continue;
     Function stage;
     stage.is_stage = true;
-    stage.traced.group = outer.group;
-    stage.traced.name = outer.solved->right_sides.name;
-    stage.traced.summary = {
-        "Right-hand sides of " + outer.program.name + ", and the factor with which they are solved."};
-    stage.traced.program = pass::run(std::move(outer.solved->right_sides), passes);
+    stage.group = outer.group;
+    stage.name = stage.kernel = outer.solved->right_sides.name;
+    stage.summary = {"Right-hand sides of " + outer.program.name + ", and the factor with which they are solved."};
+    stage.program = pass::run(std::move(outer.solved->right_sides), passes);
     outer.solved->right_sides = {};
-    outer.solved->right_sides.name = stage.traced.name;
-    outer.solved->right_sides.outputs = {stage.traced.program.outputs.back()};
+    outer.solved->right_sides.name = stage.name;
+    outer.solved->right_sides.outputs = {stage.program.outputs.back()};
     outer.solved->solution = pass::run(std::move(outer.solved->solution), passes_of_solution);
     if (auto& limbs = outer.solved->limbs) limbs->solution = pass::run(std::move(limbs->solution), passes_of_solution);
     for (symbolic::OutputArray& array : outer.program.outputs)
       array.values.assign(array.values.size(), symbolic::Operand{});
     outer.program.constants = {symbolic::Constant()};
     outer.program.statements.clear();
-    functions.list[i].congruent.reset();
-    functions.list[i].results.reset();
+    outer.is_first_choice = false;
+    outer.results.reset();
     functions.list.push_back(std::move(stage));
   }
   return functions;
@@ -84,13 +81,13 @@ Functions separate_right_sides(Functions functions, const Passes& passes, const 
 // read. This comes before the passes, which put parameters and variables together in one sum.
 Functions split_parameters(const Robot& robot, Functions functions, const Passes& passes) {
   std::vector<symbolic::Program> programs;
-  for (Function& function : functions.list) programs.push_back(std::move(function.traced.program));
+  for (Function& function : functions.list) programs.push_back(std::move(function.program));
   std::vector<pass::Interfaces> interfaces;
   for (const model::Parameter& p : robot.tree.parameters)
     interfaces.push_back({model::is_kinematics(p), model::is_dynamics(p)});
   pass::SplitPrograms split = pass::split_parameters(std::move(programs), interfaces);
   for (std::size_t i = 0; i < functions.list.size(); ++i) {
-    functions.list[i].traced.program = std::move(split.programs[i]);
+    functions.list[i].program = std::move(split.programs[i]);
     functions.list[i].results.reset();  // these belong to other inputs
   }
   functions = run_passes(std::move(functions), passes);
@@ -111,32 +108,50 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
   return functions;
 }
 
+// The program in the formulation in which congruent limbs fold in the same way, if it is a different program.
+std::optional<symbolic::Program> congruent_program(
+    const Function& function,
+    Formulations& formulations,
+    const Passes& passes) {
+  if (!function.is_first_choice) return std::nullopt;
+  algorithm::FormulationChoices& choices = formulations.of(Formulated::for_lanes);
+  if (!algorithm::may_fold_like_others(*function.declared, choices)) return std::nullopt;
+  symbolic::Program program = traced(function, choices).program;
+  if (!algorithm::folds_like_others(program)) return std::nullopt;
+  return pass::run(std::move(program), passes);
+}
+
 // Packs congruent limbs into lanes if this makes the function faster and keeps its accuracy.
 void pack_into_lanes(
     Function& function,
     const model::KinematicTree& tree,
-    const std::vector<algorithm::LimbsInLanes>& limbs) {
+    const std::vector<algorithm::LimbsInLanes>& limbs,
+    Formulations& formulations,
+    const Passes& passes) {
   std::vector<pass::InputTuples> classes;
-  for (const algorithm::LimbsInLanes& c : limbs)
-    classes.push_back(algorithm::limb_inputs(tree, c, function.traced.program));
-  pass::Packed packed = pass::pack_lanes(function.traced.program, classes, function.congruent);
+  for (const algorithm::LimbsInLanes& c : limbs) classes.push_back(algorithm::limb_inputs(tree, c, function.program));
+  std::optional<symbolic::Program> congruent;
+  if (tree.parameters.empty()) congruent = congruent_program(function, formulations, passes);
+  pass::Packed packed = pass::pack_lanes(function.program, classes, congruent);
   if (function.results && packed.program.has_lanes() && !function.results->are_kept_by(packed.program)) return;
   for (std::size_t c = 0; c < classes.size(); ++c)
     if (packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
   if (!function.limbs_in_lanes.empty()) function.in_lanes = std::move(packed.program);
 }
 
-Functions pack_lanes(const Robot& robot, Functions functions) {
+Functions pack_lanes(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes) {
   const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
   if (limbs.empty()) return functions;
-  for_each_index(functions.list.size(), [&](std::size_t i) { pack_into_lanes(functions.list[i], robot.tree, limbs); });
+  for_each_index(functions.list.size(), [&](std::size_t i) {
+    pack_into_lanes(functions.list[i], robot.tree, limbs, formulations, passes);
+  });
   return functions;
 }
 
 Functions split_angles(const Robot& robot, Functions functions) {
   std::vector<pass::WithLanes> programs;
   for (const Function& function : functions.list)
-    programs.push_back({function.traced.program, function.in_lanes ? &*function.in_lanes : nullptr});
+    programs.push_back({function.program, function.in_lanes ? &*function.in_lanes : nullptr});
   std::vector<pass::Position> positions;
   for (const int j : robot.tree.coordinates()) {
     const model::Joint& joint = robot.tree.joints[at(j)];
@@ -159,11 +174,13 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   const Robot* robot = model.robot();
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
-  functions = run_accurate_passes(*robot, std::move(functions), steps.formulation(), splits ? Passes() : passes);
+  Formulations formulations(*robot, steps.formulation());
+  functions = choose_candidates(*robot, std::move(functions), formulations, splits ? Passes() : passes);
   functions = choose_column_loops(std::move(functions), features.column_loops);
   functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
-  if (features.has_lanes && steps.has_lanes()) functions = pack_lanes(*robot, std::move(functions));
+  if (features.has_lanes && steps.has_lanes())
+    functions = pack_lanes(*robot, std::move(functions), formulations, passes);
   // Quaternions have no sines, and joints that follow others are not coordinates.
   if (features.takes_sines && robot->tree.position_count() == robot->tree.dof())
     functions = split_angles(*robot, std::move(functions));

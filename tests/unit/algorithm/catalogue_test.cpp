@@ -24,10 +24,10 @@ model::KinematicTree robot(bool floating) {
   return *tree;
 }
 
-std::vector<RobotFunction> all(const model::KinematicTree& tree) {
-  std::vector<RobotFunction> list;
+std::vector<symbolic::Function> all(const model::KinematicTree& tree) {
+  std::vector<symbolic::Function> list;
   for (const std::string& group : groups())
-    for (RobotFunction& f : functions(tree, model::default_desired(tree), group)) list.push_back(std::move(f));
+    for (symbolic::Function& f : functions(tree, model::default_desired(tree), group)) list.push_back(std::move(f));
   return list;
 }
 
@@ -42,7 +42,7 @@ std::string signature(const symbolic::Program& p) {
 
 std::vector<std::string> signatures(const model::KinematicTree& tree, const std::string& group) {
   std::vector<std::string> list;
-  for (const RobotFunction& f : functions(tree, model::default_desired(tree), group))
+  for (const symbolic::Function& f : functions(tree, model::default_desired(tree), group))
     list.push_back(signature(f.program));
   return list;
 }
@@ -198,7 +198,7 @@ class EveryProgram : public testing::TestWithParam<bool> {};
 TEST_P(EveryProgram, IsSoundUniqueAndExplained) {
   const model::KinematicTree tree = robot(GetParam());
   std::set<std::string> names;
-  for (const RobotFunction& f : all(tree)) {
+  for (const symbolic::Function& f : all(tree)) {
     EXPECT_EQ(verify(f.program), "") << f.program.name;
     EXPECT_TRUE(names.insert(f.program.name).second) << f.program.name;
     EXPECT_FALSE(f.summary.empty()) << f.program.name;
@@ -207,7 +207,7 @@ TEST_P(EveryProgram, IsSoundUniqueAndExplained) {
 
 // A program can be stored as text: the printed text reads back as the traced program.
 TEST_P(EveryProgram, ReadsBackFromText) {
-  for (const RobotFunction& f : all(robot(GetParam()))) {
+  for (const symbolic::Function& f : all(robot(GetParam()))) {
     std::string error;
     const auto back = symbolic::parse(print(f.program), error);
     ASSERT_TRUE(back) << error;
@@ -216,7 +216,7 @@ TEST_P(EveryProgram, ReadsBackFromText) {
 }
 
 TEST_P(EveryProgram, ComputesTheSameAfterThePasses) {
-  for (const RobotFunction& f : all(robot(GetParam()))) {
+  for (const symbolic::Function& f : all(robot(GetParam()))) {
     symbolic::Arrays<double> inputs;
     double x = 0;
     for (const symbolic::InputArray& array : f.program.inputs)
@@ -283,7 +283,7 @@ TEST(RobotPrograms, OfContacts) {
     EXPECT_TRUE(functions(tree, desired, group).empty());
     desired.contacts = {{*tree.find_frame("fr_one")}, {*tree.find_frame("fr_two"), true}};
     std::vector<std::string> list;
-    for (const RobotFunction& f : functions(tree, desired, group)) list.push_back(signature(f.program));
+    for (const symbolic::Function& f : functions(tree, desired, group)) list.push_back(signature(f.program));
     return list;
   };
   const List fixed = of(false, "contacts"), floating = of(true, "contacts");
@@ -348,7 +348,7 @@ TEST(RobotPrograms, ParametersAreTheFirstInput) {
   model::KinematicTree tree = robot(false);
   tree.parameters = {{"m", model::ParameterKind::inertial, {}, {}}};
   tree.links[1].inertia->mass = model::Quantity::parameter(0);
-  for (const RobotFunction& f : all(tree)) {
+  for (const symbolic::Function& f : all(tree)) {
     ASSERT_FALSE(f.program.inputs.empty());
     if (f.program.inputs[0].role == symbolic::Role::inertia_factor) continue;  // it includes the parameters
     EXPECT_EQ(f.program.inputs[0].role, symbolic::Role::parameters) << f.program.name;

@@ -252,9 +252,9 @@ TEST(TransformPrograms, OfTheLeftConventionAreInverted) {
 TEST(TransformFunctions, AreOneAFormAndATransformUnderItsName) {
   CoordinateTransforms named = document({turn(kZ, variable(0))});
   named.transforms.push_back({"B", "A", {turn(kZ, -variable(0))}, "back"});
-  const std::vector<TransformFunction> functions = transform_functions(named);
+  const std::vector<symbolic::Function> functions = transform_functions(named);
   std::vector<std::string> names;
-  for (const TransformFunction& f : functions) names.push_back(f.scope + "::" + f.name + " " + f.program.name);
+  for (const symbolic::Function& f : functions) names.push_back(f.scope + "::" + f.name + " " + f.program.name);
   EXPECT_EQ(
       names, (std::vector<std::string>{
                  "transforms::homogeneous::A_X_B homogeneous_A_X_B", "transforms::homogeneous::back homogeneous_back",

@@ -67,13 +67,13 @@ TEST(Driver, ProgramsAreTheSameFunctionsWithoutALibrary) {
   const Functions functions = programs(model, options.groups, options.steps);
   ASSERT_EQ(functions.list.size(), whole.functions.size());
   for (std::size_t k = 0; k < whole.functions.size(); ++k) {
-    EXPECT_EQ(functions.list[k].traced.name, whole.functions[k].name);
+    EXPECT_EQ(functions.list[k].name, whole.functions[k].name);
     const symbolic::Arrays<double> state = {{"q", {0.3, 0.9}}, {"qd", {-1.0, 0.5}}};
     symbolic::Arrays<double> inputs;
     for (const symbolic::InputArray& array : whole.functions[k].program.inputs)
       if (state.contains(array.name)) inputs[array.name] = state.at(array.name);
     EXPECT_EQ(
-        symbolic::interpret<double>(functions.list[k].traced.program, inputs),
+        symbolic::interpret<double>(functions.list[k].program, inputs),
         symbolic::interpret<double>(whole.functions[k].program, inputs));
   }
 }

@@ -35,7 +35,7 @@ std::vector<std::string> programs_of(const fs::path& file, const std::shared_ptr
   if (!model) return result;
   const std::vector<std::string> groups = {"inverse_dynamics", "joint_space_inertia", "transforms", "jacobians"};
   for (const Function& f : programs(*model, groups, {all_steps(), 0}).list)
-    result.push_back(symbolic::print(f.traced.program));
+    result.push_back(symbolic::print(f.program));
   return result;
 }
 

@@ -2,7 +2,8 @@
 #include "driver/library.h"
 
 #include "documents.h"
-#include "driver/trace.h"
+#include "driver/declare.h"
+#include "driver/optimise.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::driver {
@@ -11,7 +12,7 @@ namespace {
 using namespace test;
 
 backend::Library assembled(const Model& model, const std::vector<std::string>& groups, Primitives primitives = {}) {
-  return assemble(model, {"arm", "a::b"}, groups, trace(model, groups, {}), primitives);
+  return assemble(model, {"arm", "a::b"}, groups, optimise(model, declare(model, groups), {}, {}), primitives);
 }
 
 const backend::Function& function(const backend::Library& library, const std::string& scope, const std::string& name) {

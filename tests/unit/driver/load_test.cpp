@@ -63,7 +63,7 @@ TEST_F(Load, MotionsAndTransformsAreOneModel) {
     EXPECT_EQ(document.variables, std::vector<std::string>{"a"});
     ASSERT_EQ(document.transforms.size(), 2U) << "a transform and its inverse";
     const auto functions = algorithm::transform_functions(document);
-    const auto forth = std::find_if(functions.begin(), functions.end(), [](const algorithm::TransformFunction& f) {
+    const auto forth = std::find_if(functions.begin(), functions.end(), [](const symbolic::Function& f) {
       return f.name == "base_X_hand" && f.scope == "transforms::homogeneous";
     });
     ASSERT_NE(forth, functions.end());
@@ -246,10 +246,10 @@ TEST_F(Frames, ReachEveryGroup) {
   const Model model = loaded(folder.file("rods.kindsl", kRods), {.frames = {"tip"}});
   for (const std::string& group : algorithm::groups_between_frames()) {
     int count = 0;
-    for (const algorithm::RobotFunction& f : algorithm::functions(model.robot()->tree, model.robot()->desired, group)) {
-      if (f.frames.right.name.empty()) continue;
+    for (const symbolic::Function& f : algorithm::functions(model.robot()->tree, model.robot()->desired, group)) {
+      if (f.right.empty()) continue;
       ++count;
-      EXPECT_TRUE(f.frames.right.name == "tip" || f.frames.left.name == "tip") << group << ' ' << f.name;
+      EXPECT_TRUE(f.right == "tip" || f.left == "tip") << group << ' ' << f.name;
     }
     EXPECT_GT(count, 0) << group;
   }

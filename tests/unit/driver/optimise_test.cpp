@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "documents.h"
-#include "driver/trace.h"
+#include "driver/declare.h"
 #include "pass/passes.h"
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
@@ -21,8 +21,7 @@ const symbolic::Arrays<double> kState = {{"q", {0.4, -1.1}}, {"qd", {1.5, 0.25}}
 
 Functions optimised(const Model& model, const Steps& steps, const backend::Features& features = {}) {
   const std::vector<std::string> groups = {"inverse_dynamics"};
-  Functions functions = features.has_lanes ? trace_for_lanes(model, groups, steps) : trace(model, groups, steps);
-  return optimise(model, std::move(functions), steps, features);
+  return optimise(model, declare(model, groups), steps, features);
 }
 
 std::vector<double> tau_of(const Program& program, symbolic::Arrays<double> inputs = kState) {
@@ -43,11 +42,11 @@ bool reads(const Program& program, Role role) {
 TEST(Optimise, PassesMakeProgramsCheaperAndKeepResults) {
   const Model model = rods();
   Steps no_passes{algorithm::choices()};
-  const Program before = optimised(model, no_passes).list.at(0).traced.program;
-  const Program after = optimised(model, {}).list.at(0).traced.program;
+  const Program before = optimised(model, no_passes).list.at(0).program;
+  const Program after = optimised(model, {}).list.at(0).program;
   EXPECT_LE(symbolic::work(after), symbolic::work(before));
   expect_same(tau_of(after), tau_of(before));
-  const Program plain = optimised(model, {{}}).list.at(0).traced.program;
+  const Program plain = optimised(model, {{}}).list.at(0).program;
   EXPECT_LT(symbolic::work(after), symbolic::work(plain));
   expect_same(tau_of(after), tau_of(plain));
 }
@@ -55,11 +54,11 @@ TEST(Optimise, PassesMakeProgramsCheaperAndKeepResults) {
 // Rounding errors of a robot's functions are measured; here they amount to a few roundings.
 TEST(Optimise, RoundingErrorsAreMeasured) {
   for (const Function& f : optimised(rods(), {}).list) {
-    ASSERT_TRUE(f.traced.error);
-    EXPECT_GT(f.traced.error->in_double, 0);
-    EXPECT_LT(f.traced.error->in_double, 10);
+    ASSERT_TRUE(f.error);
+    EXPECT_GT(f.error->in_double, 0);
+    EXPECT_LT(f.error->in_double, 10);
     ASSERT_TRUE(f.results);
-    EXPECT_TRUE(f.results->are_kept_by(f.traced.program));
+    EXPECT_TRUE(f.results->are_kept_by(f.program));
   }
 }
 
@@ -67,7 +66,7 @@ TEST(Optimise, LanguagesThatTakeSinesGetThem) {
   const Model model = rods();
   const Functions without = optimised(model, {}), with = optimised(model, {}, {.takes_sines = true});
   EXPECT_FALSE(without.trigonometry);
-  EXPECT_GT(symbolic::cost(without.list.at(0).traced.program).sincos, 0);
+  EXPECT_GT(symbolic::cost(without.list.at(0).program).sincos, 0);
   ASSERT_TRUE(with.trigonometry);
   EXPECT_GE(with.trigonometry->angle_count, 2);  // at least one for each joint
   EXPECT_TRUE(with.list.at(0).parts);
@@ -80,7 +79,7 @@ TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {
   EXPECT_TRUE(whole.updates.empty());
   ASSERT_EQ(split.updates.size(), 3U);  // kinematics, dynamics, both
   ASSERT_EQ(split.numbers.size(), 1U);
-  const Program& kernel = split.list.at(0).traced.program;
+  const Program& kernel = split.list.at(0).program;
   ASSERT_TRUE(reads(kernel, Role::parameters));
   // Filling the cache part by part and then calling the function gives the result of the whole function of the
   // parameters.
@@ -93,7 +92,7 @@ TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {
     for (const auto& [name, part] : symbolic::interpret<double>(update.program, inputs))
       cache.insert(cache.end(), part.begin(), part.end());
   }
-  const Program& reference = whole.list.at(0).traced.program;
+  const Program& reference = whole.list.at(0).program;
   with_parameters[reference.inputs.at(0).name] = {heavy};
   expect_same(tau_of(kernel, with_cache), tau_of(reference, with_parameters));
   EXPECT_LE(symbolic::cost(kernel).mul, symbolic::cost(reference).mul);
@@ -112,23 +111,23 @@ TEST(Optimise, CongruentLimbsShareLanes) {
   ASSERT_TRUE(f.in_lanes);
   ASSERT_EQ(f.limbs_in_lanes.size(), 1U);
   EXPECT_EQ(std::count(f.limbs_in_lanes[0].begin(), f.limbs_in_lanes[0].end(), ','), 3);
-  EXPECT_LT(2 * symbolic::cost(*f.in_lanes).instructions, symbolic::cost(f.traced.program).instructions);
+  EXPECT_LT(2 * symbolic::cost(*f.in_lanes).instructions, symbolic::cost(f.program).instructions);
   symbolic::Arrays<double> state;
   for (const char* array : {"q", "qd", "qdd"})
     for (int j = 0; j < 12; ++j) state[array].push_back(0.1 * j - 0.5);
-  expect_same(tau_of(*f.in_lanes, state), tau_of(f.traced.program, state));
+  expect_same(tau_of(*f.in_lanes, state), tau_of(f.program, state));
 }
 
 TEST(Optimise, TransformsAreOptimisedToo) {
   const Folder folder;
   const Model model = loaded(folder.file("arm.ctdsl", kTransforms));
-  const Functions functions = optimise(model, trace(model, {kTransformsGroup}, {}), {}, {.takes_sines = true});
+  const Functions functions = optimise(model, declare(model, {kTransformsGroup}), {}, {.takes_sines = true});
   ASSERT_EQ(functions.list.size(), 6U);
   EXPECT_FALSE(functions.trigonometry);
   for (const Function& f : functions.list) {
-    const symbolic::Cost c = symbolic::cost(f.traced.program);
-    EXPECT_EQ(c.sincos, 1) << f.traced.name;
-    EXPECT_LE(c.mul, 4) << f.traced.name;
+    const symbolic::Cost c = symbolic::cost(f.program);
+    EXPECT_EQ(c.sincos, 1) << f.name;
+    EXPECT_LE(c.mul, 4) << f.name;
   }
 }
 

@@ -1,212 +1,328 @@
 #include "algorithm/catalogue/catalogue.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "algorithm/catalogue/groups.h"
+#include "algorithm/catalogue/arrays.h"
+#include "algorithm/catalogue/phrases.h"
 #include "algorithm/catalogue/sizes.h"
-#include "support/index.h"
+#include "algorithm/kinematics/kinematics.h"
+#include "support/parallel.h"
 
 namespace robcogen::algorithm {
 namespace {
 
+using model::Frame;
+using model::FramePair;
 using model::KinematicTree;
 
-// What a robot must have for a group's functions: a set of these.
-enum Needs : unsigned {
-  kNothing = 0,
-  kInertia = 1 << 0,
-  kMass = 1 << 1,            // functions divide by the total mass
-  kRegularInertia = 1 << 2,  // functions divide by the joint-space inertia matrix
-  kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
-  kFewOperations = 1 << 3,   // code without loops has many right-hand sides
-  kFewElements = 1 << 5,     // a matrix has ten columns per link
-};
+std::vector<Declaration> all_declarations() {
+  std::vector<Declaration> all;
+  for (const auto& rows :
+       {catalogue::dynamics_declarations, catalogue::derivative_declarations, catalogue::contact_declarations,
+        catalogue::identification_declarations, catalogue::kinematics_declarations, catalogue::world_declarations,
+        catalogue::mechanism_declarations})
+    for (GroupRows& of_group : rows())
+      for (Declaration& row : of_group.rows) {
+        row.group = of_group.group;
+        all.push_back(std::move(row));
+      }
+  const auto place = [](const Declaration& row) {
+    return std::find(groups().begin(), groups().end(), row.group) - groups().begin();
+  };
+  std::stable_sort(
+      all.begin(), all.end(), [&](const Declaration& a, const Declaration& b) { return place(a) < place(b); });
+  return all;
+}
 
-constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
+bool exists(Condition condition, const Subject& subject) {
+  return condition == nullptr || condition(subject);
+}
 
-struct Group {
-  const char* name;
-  bool is_default;
-  unsigned needs;  // of Needs
-  // One of these is set.
-  std::vector<RobotFunction> (*dynamics)(const KinematicTree&, FormulationChoices&);
-  std::vector<RobotFunction> (*kinematics)(const KinematicTree&, const model::DesiredTransforms&);
-  std::vector<RobotFunction> (*contacts)(const KinematicTree&, const ContactFrames&, FormulationChoices&) = nullptr;
-  // The functions use the bodies, rotors and parameters of the model as they are. (The Coriolis matrix of a robot
-  // depends on how its mass is assigned to links.)
-  bool is_of_model = false;
+// Each frame of the pairs once, with the frame of the base on the left.
+std::vector<FramePair> seen_from_base(
+    const KinematicTree& tree,
+    const std::vector<const std::vector<FramePair>*>& lists,
+    const std::vector<model::ContactFrame>& contacts) {
+  std::vector<FramePair> pairs;
+  std::set<std::string> seen;
+  const Frame base = tree.frames().front();
+  const auto add = [&](const Frame& frame) {
+    if (seen.insert(frame.name).second) pairs.push_back({base, frame});
+  };
+  for (const std::vector<FramePair>* list : lists)
+    for (const FramePair& pair : *list) add(pair.left), add(pair.right);
+  for (const model::ContactFrame& contact : contacts) add(contact.frame);
+  return pairs;
+}
 
-  bool has_formulation() const { return kinematics == nullptr; }
-  std::vector<RobotFunction> functions(
-      const KinematicTree& tree,
-      const model::DesiredTransforms& desired,
-      FormulationChoices& choices) const {
-    if (dynamics) return dynamics(is_of_model ? tree : choices.tree(), choices);
-    if (kinematics) return kinematics(tree, desired);
-    return desired.contacts.empty() ? std::vector<RobotFunction>()
-                                    : contacts(choices.tree(), desired.contacts, choices);
+// The desired frames of functions of this kind.
+std::vector<FramePair> desired_frames(Of of, const KinematicTree& tree, const model::DesiredTransforms& desired) {
+  switch (of) {
+    case Of::robot:
+      return {FramePair()};
+    case Of::contacts:
+      return desired.contacts.empty() ? std::vector<FramePair>() : std::vector<FramePair>{FramePair()};
+    case Of::transform_pair:
+      return desired.transforms;
+    case Of::jacobian_pair:
+    case Of::base_pair:
+      return desired.jacobians;
+    case Of::placed_frame:
+      return seen_from_base(tree, {&desired.transforms, &desired.jacobians}, desired.contacts);
+    case Of::moving_frame:
+      break;
   }
-};
-
-constexpr std::array kGroups = {
-    Group{"inverse_dynamics", true, kInertia, inverse_dynamics_functions, nullptr},
-    Group{"bias_forces", true, kInertia, bias_forces_functions, nullptr},
-    Group{"passive_forces", false, kNothing, passive_forces_functions, nullptr, nullptr, true},
-    Group{"forward_dynamics", true, kInertiaInverse, forward_dynamics_functions, nullptr},
-    Group{"joint_space_inertia", true, kInertia, joint_space_inertia_functions, nullptr},
-    Group{"joint_space_inertia_factor", true, kInertiaInverse, joint_space_inertia_factor_functions, nullptr},
-    Group{"coriolis_matrix", false, kInertia, coriolis_matrix_functions, nullptr, nullptr, true},
-    Group{"inverse_dynamics_derivatives", false, kInertia, inverse_dynamics_derivatives_functions, nullptr},
-    Group{"inverse_dynamics_gradient", false, kInertia, inverse_dynamics_gradient_functions, nullptr},
-    Group{
-        "inverse_dynamics_second_derivatives", false, kInertia | kFewPairs,
-        inverse_dynamics_second_derivatives_functions, nullptr},
-    Group{
-        "forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, forward_dynamics_derivatives_functions,
-        nullptr},
-    Group{"centroidal", true, kMass, centroidal_functions, nullptr, nullptr, true},
-    Group{"energy", true, kInertia, energy_functions, nullptr},
-    Group{"centroidal_bias", false, kMass, centroidal_bias_functions, nullptr, nullptr, true},
-    Group{"contacts", false, kInertiaInverse, nullptr, nullptr, contacts_functions},
-    Group{
-        "constrained_forward_dynamics_derivatives", false, kInertiaInverse | kFewOperations, nullptr, nullptr,
-        constrained_forward_dynamics_derivatives_functions},
-    Group{"operational_space", false, kInertiaInverse, nullptr, nullptr, operational_space_functions},
-    Group{"regressor", false, kFewElements, regressor_functions, nullptr, nullptr, true},
-    Group{"base_regressor", false, kFewElements, base_regressor_functions, nullptr, nullptr, true},
-    Group{"energy_regressor", false, kNothing, energy_regressor_functions, nullptr, nullptr, true},
-    Group{"slotine_li_regressor", false, kFewElements, slotine_li_regressor_functions, nullptr, nullptr, true},
-    Group{"transforms", true, kNothing, nullptr, transforms_functions},
-    Group{"jacobians", true, kNothing, nullptr, jacobians_functions},
-    Group{"jacobian_references", false, kNothing, nullptr, jacobian_references_functions},
-    Group{"jacobians_with_base", false, kNothing, nullptr, jacobians_with_base_functions},
-    Group{"jacobian_derivatives", false, kNothing, nullptr, jacobian_derivatives_functions},
-    Group{"velocities", false, kNothing, nullptr, velocities_functions},
-    Group{"accelerations", false, kNothing, nullptr, accelerations_functions},
-    Group{"world", false, kNothing, nullptr, world_functions},
-    Group{"world_centroidal", false, kMass, world_centroidal_functions, nullptr, nullptr, true}};
-
-const Group* group_of(const std::string& name) {
-  const auto found =
-      std::find_if(kGroups.begin(), kGroups.end(), [&](const Group& group) { return group.name == name; });
-  return found == kGroups.end() ? nullptr : &*found;
+  return seen_from_base(tree, {&desired.jacobians}, desired.contacts);
 }
 
-// The program without a loop, which `eval` runs, would take too long to build.
-bool has_many_operations(const KinematicTree& tree) {
-  constexpr long kMany = 600'000;
-  return operations_of_solutions(tree) > kMany;
+std::vector<Loads> loads_of(const Declaration& declaration, const KinematicTree& tree) {
+  if (declaration.signature.overloads == Overloads::none) return {default_loads(tree)};
+  std::vector<Loads> list;
+  if (!tree.floating_base) list.push_back(Loads::standard_gravity);
+  list.push_back(Loads::gravity);
+  if (declaration.signature.overloads == Overloads::gravity_and_external) list.push_back(Loads::gravity_and_external);
+  return list;
 }
 
-// Second derivatives take about a hundred operations for each such pair.
-bool has_many_pairs(const KinematicTree& tree) {
-  constexpr long kMany = 150;
-  return pairs_of_coordinates(tree) > kMany;
+// Several scopes may have functions of the same name.
+std::string prefix_of(const std::string& scope) {
+  static const std::map<std::string, std::string> prefixes = {
+      {"inertia_factor", "inertia_factor_"},   {"transforms::homogeneous", "homogeneous_"},
+      {"transforms::motion", "motion_"},       {"transforms::force", "force_"},
+      {"jacobians::in_target", "in_target_"},  {"jacobians::spatial", "spatial_"},
+      {"jacobians::with_base", "with_base_"},  {"world", "in_world_"},
+      {"world::in_target", "world_in_target_"}};
+  const auto prefix = prefixes.find(scope);
+  return prefix == prefixes.end() ? "" : prefix->second;
 }
 
-// Generated functions return their results by value, and larger ones would not fit the stack: 128 KB, which is also
-// Eigen's limit.
-bool has_many_elements(const KinematicTree& tree) {
-  constexpr int kMany = 16'000;
-  const int base = tree.floating_base ? 6 : 0, links = tree.link_count() - (base > 0 ? 0 : 1);
-  return (base + tree.dof()) * 10 * links > kMany;
+const char* suffix_of(const Declaration& declaration, const Subject& subject) {
+  if (declaration.signature.overloads == Overloads::none || subject.loads == Loads::standard_gravity) return "";
+  if (subject.loads == Loads::gravity_and_external) return "_external";
+  return subject.tree.floating_base ? "" : "_gravity";
 }
 
-struct Requirement {
-  Needs need;
-  bool (*is_met)(const KinematicTree&);
-  const char* reason;
-  bool is_of_masses = false;  // diagnostics of the mass properties give the reason, too
-};
-
-constexpr std::array kRequirements = {
-    Requirement{
-        kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; },
-        "no link that moves has mass properties", true},
-    Requirement{
-        kMass, [](const KinematicTree& tree) { return !tree.inertia_defects.no_mass; },
-        "the links that move have no mass", true},
-    Requirement{
-        kRegularInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.is_singular(); },
-        "its joint-space inertia matrix is singular", true},
-    Requirement{
-        kFewPairs, [](const KinematicTree& tree) { return !has_many_pairs(tree); },
-        "with so many joints its code without loops would outgrow the caches of processors"},
-    Requirement{
-        kFewOperations, [](const KinematicTree& tree) { return !has_many_operations(tree); },
-        "with so many joints its code would be too long"},
-    Requirement{
-        kFewElements, [](const KinematicTree& tree) { return !has_many_elements(tree); },
-        "with ten columns for each of so many links its matrix would have more than 16,000 elements, too many for the "
-        "stacks of threads"}};
-
-bool lacks(const KinematicTree& tree, const Group& group, const Requirement& requirement) {
-  return (group.needs & requirement.need) != 0 && !requirement.is_met(tree);
-}
-
-// Adds a remark to derivatives by positions, some of which are quaternions.
-void add_turns_remark(std::vector<RobotFunction>& list) {
-  for (RobotFunction& f : list) {
-    const auto& outputs = f.program.outputs;
-    if (std::any_of(outputs.begin(), outputs.end(), [](const auto& of) { return of.name == "d_q"; }))
-      f.summary.emplace_back(
-          "The position of a spherical joint has one column for a rotation (rad) about each axis of its child.");
+const char* remark_on(Loads loads) {
+  switch (loads) {
+    case Loads::standard_gravity:
+      return "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.";
+    case Loads::gravity:
+      return "`gravity` (m/s^2) is in base coordinates.";
+    case Loads::gravity_and_external:
+      break;
   }
+  return "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
+         "the link's origin.";
 }
 
-bool is_available(const Group& group, const KinematicTree& tree) {
-  return std::none_of(
-      kRequirements.begin(), kRequirements.end(), [&](const Requirement& r) { return lacks(tree, group, r); });
+std::vector<std::string> summary_of(const Declaration& declaration, const Subject& subject) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* text) {
+    std::string line = catalogue::filled(text, subject);
+    if (!line.empty()) lines.push_back(std::move(line));
+  };
+  for (const char* text : declaration.summary) add(text);
+  if (declaration.signature.overloads != Overloads::none) add(remark_on(subject.loads));
+  for (const char* text : declaration.remarks) add(text);
+  const bool is_by_positions = std::any_of(
+      declaration.signature.outputs.begin(), declaration.signature.outputs.end(),
+      [](const Array& a) { return a.name == std::string("d_q"); });
+  if (is_by_positions && catalogue::has_spherical_joints(subject))
+    add("The position of a spherical joint has one column for a rotation (rad) about each axis of its child.");
+  return lines;
 }
 
-template <class Condition>
-std::vector<std::string> names_of_groups(Condition condition) {
+std::string method_of(const Declaration& declaration, const Tracing& t) {
+  if (declaration.program.search == Search::none || declaration.method == Method::none) return "";
+  const std::string frames = description(t.tree, t.choice.formulation.frames);
+  if (declaration.method == Method::frames) return frames;
+  const bool by_matrix = t.choice.method == ForwardDynamicsMethod::inertia_matrix;
+  return std::string(
+             by_matrix ? "Method: bias forces, and elimination in the joint-space inertia matrix."
+                       : "Method: articulated-body algorithm.") +
+         (frames.empty() ? "" : " " + frames);
+}
+
+// Each output `d_x_y` is the derivative of the output `d_x` by the input y.
+std::vector<symbolic::DerivativeBlock> second_derivatives(const symbolic::Program& program) {
+  std::vector<symbolic::DerivativeBlock> blocks;
+  const auto index = [&](std::size_t k) { return static_cast<int>(k); };
+  for (std::size_t place = 0; place < program.outputs.size(); ++place)
+    for (std::size_t of = 0; of < place; ++of)
+      for (const symbolic::InputArray& input : program.inputs)
+        if (program.outputs[place].name == program.outputs[of].name + "_" + input.name)
+          blocks.push_back({index(of), input.name, index(place)});
+  return blocks;
+}
+
+Tracing tracing_of(const Declared& function, FormulationChoices& choices) {
+  const auto& [is, subject, name, kernel] = function;
+  const bool is_of_model = is->program.search == Search::none || is->is_of_model;
+  const KinematicTree& tree = is_of_model ? choices.model() : choices.tree();
+  const auto tracing = [&](Loads loads, ForwardDynamicsChoice choice) {
+    return Tracing{{tree, subject.contacts, subject.frames, loads}, is->scope, kernel, std::move(choice), choices};
+  };
+  // Formulations are compared for the same loads, whatever those of the overload.
+  const Loads compared = is->program.search == Search::cheapest ? default_loads(tree) : Loads::gravity;
+  return tracing(subject.loads, choices.choice(is->program.search, name, [&](const Formulation& formulation) {
+    return is->program.trace(tracing(compared, {{}, formulation}));
+  }));
+}
+
+std::vector<std::string> groups_with(bool (*is_kind)(Of)) {
   std::vector<std::string> names;
-  for (const Group& group : kGroups)
-    if (condition(group)) names.emplace_back(group.name);
+  for (const Declaration& row : declarations())
+    if (is_kind(row.of) && (names.empty() || names.back() != row.group)) names.emplace_back(row.group);
   return names;
 }
 
 }  // namespace
 
-const std::vector<std::string>& groups() {
-  static const std::vector<std::string> names = names_of_groups([](const Group&) { return true; });
-  return names;
-}
-
-const std::vector<std::string>& default_groups() {
-  static const std::vector<std::string> names = names_of_groups([](const Group& group) { return group.is_default; });
-  return names;
+const std::vector<Declaration>& declarations() {
+  static const std::vector<Declaration> all = all_declarations();
+  return all;
 }
 
 const std::vector<std::string>& groups_of_contacts() {
-  static const std::vector<std::string> names =
-      names_of_groups([](const Group& group) { return group.contacts != nullptr; });
+  static const std::vector<std::string> names = groups_with([](Of of) { return of == Of::contacts; });
   return names;
 }
 
 const std::vector<std::string>& groups_between_frames() {
   static const std::vector<std::string> names =
-      names_of_groups([](const Group& group) { return group.kinematics != nullptr; });
+      groups_with([](Of of) { return of != Of::robot && of != Of::contacts; });
   return names;
 }
 
-bool is_available(const KinematicTree& tree, const std::string& group) {
-  const Group* found = group_of(group);
-  return found && is_available(*found, tree);
+bool is_of(const Declaration& declaration, const Subject& subject) {
+  const KinematicTree& tree = subject.tree;
+  const Frame& right = subject.frames.right;
+  switch (declaration.of) {
+    case Of::contacts:
+      if (subject.contacts.empty()) return false;
+      break;
+    case Of::base_pair:
+      if (tree.link_of(subject.frames.left) != 0) return false;
+      break;
+    case Of::moving_frame:
+      if (!tree.floating_base && tree.link_of(right) == 0) return false;
+      [[fallthrough]];
+    case Of::placed_frame:
+      if (right.name == tree.frames().front().name) return false;
+      break;
+    default:
+      break;
+  }
+  return exists(declaration.exists, subject);
 }
 
-std::string reason_of_absence(const KinematicTree& tree, const std::string& group, Reasons reasons) {
-  const Group* found = group_of(group);
-  if (!found) return "";
-  const auto lacking = std::find_if(kRequirements.begin(), kRequirements.end(), [&](const Requirement& r) {
-    return (reasons == Reasons::all || !r.is_of_masses) && lacks(tree, *found, r);
-  });
-  return lacking == kRequirements.end() ? "" : lacking->reason;
+std::vector<Declared> overloads(const Declaration& declaration, const Subject& subject) {
+  std::vector<Declared> list;
+  for (const Loads loads : loads_of(declaration, subject.tree)) {
+    Declared function{&declaration, subject, catalogue::filled(declaration.name, subject), {}};
+    function.subject.loads = loads;
+    function.kernel = prefix_of(declaration.scope) + function.name + suffix_of(declaration, function.subject);
+    list.push_back(std::move(function));
+  }
+  return list;
 }
 
-std::vector<RobotFunction> functions(
+std::vector<Declared> declared(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group) {
+  std::vector<Declared> list;
+  if (!is_available(tree, group)) return list;
+  for (const Declaration& declaration : declarations()) {
+    if (declaration.group != group) continue;
+    for (const FramePair& frames : desired_frames(declaration.of, tree, desired)) {
+      const Subject subject{tree, desired.contacts, frames};
+      if (!is_of(declaration, subject)) continue;
+      for (Declared& function : overloads(declaration, subject)) list.push_back(std::move(function));
+    }
+  }
+  return list;
+}
+
+symbolic::Program outline(const Declared& function) {
+  const auto& [is, subject, name, kernel] = function;
+  symbolic::Program program;
+  program.name = kernel;
+  std::vector<Array> inputs = is->signature.inputs;
+  if (is->signature.overloads != Overloads::none)
+    inputs.insert(inputs.end(), {catalogue::gravity, catalogue::external});
+  // An inertia factor includes the parameters.
+  if (!subject.tree.parameters.empty() && (inputs.empty() || inputs.front().role != symbolic::Role::inertia_factor))
+    program.inputs.push_back(
+        {"parameters", symbolic::Role::parameters, std::vector<std::string>(subject.tree.parameters.size())});
+  const auto size = [&](Size of) { return of == nullptr ? 1 : of(subject); };
+  for (const Array& array : inputs)
+    if (exists(array.exists, subject))
+      program.inputs.push_back(
+          {array.name, array.role,
+           std::vector<std::string>(static_cast<std::size_t>(size(array.rows) * size(array.columns)))});
+  for (const Array& array : is->signature.outputs)
+    if (exists(array.exists, subject))
+      program.outputs.push_back({array.name, array.role, size(array.rows), size(array.columns), {}});
+  return program;
+}
+
+symbolic::Function described(const Declared& function) {
+  const auto& [is, subject, name, kernel] = function;
+  symbolic::Function result;
+  result.group = is->group;
+  result.scope = is->scope;
+  result.name = name;
+  result.kernel = kernel;
+  result.summary = summary_of(*is, subject);
+  result.left = subject.frames.left.name;
+  result.right = subject.frames.right.name;
+  if (symbolic::is_jacobian(is->signature.outputs.front().role))
+    result.columns = chain_coordinates(subject.tree, subject.frames);
+  if (is->labels) result.labels = is->labels(subject);
+  return result;
+}
+
+symbolic::Function trace(const Declared& function, FormulationChoices& choices) {
+  const Declaration& is = *function.is;
+  const Tracing t = tracing_of(function, choices);
+  Declared chosen = function;
+  if (is.program.search == Search::forward_dynamics) chosen.subject.method = t.choice.method;
+  symbolic::Function result = described(chosen);
+  result.program = is.program.trace(t);
+  result.method = method_of(is, t);
+  result.derivatives = second_derivatives(result.program);
+  const long operations = is.in_columns ? is.in_columns->operations(function.subject) : 0;
+  if (is.in_columns && is.in_columns->is_better(operations)) {
+    result.solved = is.in_columns->trace(t);
+    result.solved->is_long = are_long_solutions(operations);
+  }
+  return result;
+}
+
+bool may_fold_like_others(const Declared& function, FormulationChoices& choices) {
+  const Of of = function.is->of;
+  return (of == Of::robot || of == Of::contacts) &&
+         !tracing_of(function, choices).choice.formulation.representative.empty();
+}
+
+std::vector<symbolic::Function> functions(
+    const KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& group,
+    FormulationChoices& choices) {
+  const std::vector<Declared> list = declared(tree, desired, group);
+  std::vector<symbolic::Function> result(list.size());
+  for_each_index(list.size(), [&](std::size_t k) { result[k] = trace(list[k], choices); });
+  return result;
+}
+
+std::vector<symbolic::Function> functions(
     const KinematicTree& tree,
     const model::DesiredTransforms& desired,
     const std::string& group,
@@ -215,51 +331,10 @@ std::vector<RobotFunction> functions(
   return functions(tree, desired, group, choices);
 }
 
-std::vector<RobotFunction> functions(
-    const KinematicTree& tree,
-    const model::DesiredTransforms& desired,
-    const std::string& group,
-    FormulationChoices& choices) {
-  const Group* found = group_of(group);
-  if (!found || !is_available(*found, tree)) return {};
-  std::vector<RobotFunction> list = found->functions(tree, desired, choices);
-  if (!tree.spherical_joints().empty()) add_turns_remark(list);
-  return list;
-}
-
-std::vector<symbolic::Program> plain_programs(
-    const KinematicTree& tree,
-    const model::DesiredTransforms& desired,
-    const std::string& group) {
-  const Group* found = group_of(group);
-  if (!found || !found->has_formulation() || !is_available(*found, tree)) return {};
-  Formulation plain = plain_formulation();
-  plain.is_draft = true;
-  FormulationChoices choices(tree, plain);
-  std::vector<symbolic::Program> programs;
-  for (RobotFunction& f : found->functions(tree, desired, choices)) programs.push_back(std::move(f.program));
-  return programs;
-}
-
 bool folds_like_others(const symbolic::Program& program) {
   return std::any_of(program.constants.begin(), program.constants.end(), [](const symbolic::Constant& c) {
     return !c.folds_as_itself();
   });
-}
-
-std::vector<std::optional<symbolic::Program>> congruent_programs(
-    const KinematicTree& tree,
-    const model::DesiredTransforms& desired,
-    const std::string& group,
-    FormulationChoices& for_congruent_limbs) {
-  const Group* found = group_of(group);
-  if (!found || !found->has_formulation() || !is_available(*found, tree)) return {};
-  std::vector<std::optional<symbolic::Program>> programs;
-  for (RobotFunction& f : found->functions(tree, desired, for_congruent_limbs)) {
-    const bool is_other = folds_like_others(f.program);
-    programs.push_back(is_other ? std::optional(std::move(f.program)) : std::nullopt);
-  }
-  return programs;
 }
 
 }  // namespace robcogen::algorithm

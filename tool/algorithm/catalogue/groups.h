@@ -1,102 +1,26 @@
-// The functions of each group (catalogue.h).
+// The groups of functions: what a library can have, and what a robot must have for them.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "algorithm/catalogue/catalogue.h"
-#include "algorithm/dynamics/contacts.h"
+#include "model/kinematic_tree.h"
 
 namespace robcogen::algorithm {
 
-// ---- Dynamics: functions of the whole robot.
+// In canonical order (groups.inc).
+const std::vector<std::string>& groups();
 
-std::vector<RobotFunction> inverse_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> bias_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> passive_forces_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> forward_dynamics_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> joint_space_inertia_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> joint_space_inertia_factor_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-std::vector<RobotFunction> coriolis_matrix_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> inverse_dynamics_derivatives_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-std::vector<RobotFunction> inverse_dynamics_gradient_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-std::vector<RobotFunction> inverse_dynamics_second_derivatives_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-std::vector<RobotFunction> forward_dynamics_derivatives_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-std::vector<RobotFunction> centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> energy_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> centroidal_bias_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> base_regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> energy_regressor_functions(const model::KinematicTree& tree, FormulationChoices& choices);
-std::vector<RobotFunction> slotine_li_regressor_functions(
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
+// The default groups of a robot: those that most programs need and that compile quickly.
+const std::vector<std::string>& default_groups();
 
-// ---- Loops and actuators, if the robot has some.
+// Whether the robot's mass properties allow the functions of this group: functions that divide by the joint-space
+// inertia matrix need a regular matrix, those of the centre of mass need mass, and all of the dynamics need inertia.
+bool is_available(const model::KinematicTree& tree, const std::string& group);
 
-// Added to `transforms`, `jacobians`, `inverse_dynamics` and `forward_dynamics`.
-void add_joint_positions(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
-void add_actuator_lengths(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
-void add_lever_arms(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
-void add_loop_errors(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
-void add_loop_jacobian(std::vector<RobotFunction>& list, const model::KinematicTree& tree);
-void add_loop_forces(std::vector<RobotFunction>& list, const model::KinematicTree& tree, FormulationChoices& choices);
-void add_loop_constrained_dynamics(
-    std::vector<RobotFunction>& list,
-    const model::KinematicTree& tree,
-    FormulationChoices& choices);
-
-// ---- Contacts: functions of all desired contact frames, at least one.
-
-std::vector<RobotFunction> contacts_functions(
-    const model::KinematicTree& tree,
-    const ContactFrames& contacts,
-    FormulationChoices& choices);
-std::vector<RobotFunction> constrained_forward_dynamics_derivatives_functions(
-    const model::KinematicTree& tree,
-    const ContactFrames& contacts,
-    FormulationChoices& choices);
-std::vector<RobotFunction> operational_space_functions(
-    const model::KinematicTree& tree,
-    const ContactFrames& contacts,
-    FormulationChoices& choices);
-
-// ---- Kinematics: functions of each desired pair of frames.
-
-std::vector<RobotFunction> transforms_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> jacobians_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> jacobian_references_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> jacobians_with_base_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> jacobian_derivatives_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> velocities_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-std::vector<RobotFunction> accelerations_functions(
-    const model::KinematicTree& tree,
-    const model::DesiredTransforms& desired);
-
-// ---- In the world: functions of each desired frame, and of the whole robot.
-
-std::vector<RobotFunction> world_functions(const model::KinematicTree& tree, const model::DesiredTransforms& desired);
-std::vector<RobotFunction> world_centroidal_functions(const model::KinematicTree& tree, FormulationChoices& choices);
+// Why a group is not available; empty if it is. With `other_than_masses` it is also empty if the mass properties do not
+// allow the group, which diagnostics of the model say.
+enum class Reasons { all, other_than_masses };
+std::string reason_of_absence(const model::KinematicTree& tree, const std::string& group, Reasons reasons);
 
 }  // namespace robcogen::algorithm

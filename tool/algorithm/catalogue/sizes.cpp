@@ -53,13 +53,9 @@ bool are_better_in_columns(long operations) {
   return operations > kMany;
 }
 
-bool solves_in_columns(const model::KinematicTree& tree) {
-  return are_better_in_columns(operations_of_solutions(tree));
-}
-
-bool solves_for_base_in_columns(const model::KinematicTree& tree) {
+bool are_better_in_columns_for_base(long operations) {
   constexpr long kMany = 8'000;
-  return operations_of_base_solutions(tree) > kMany;
+  return operations > kMany;
 }
 
 }  // namespace robcogen::algorithm

@@ -27,9 +27,8 @@ long operations_of_contact_solutions(
 // Whether that many operations, without a loop, would exceed instruction caches.
 bool are_long_solutions(long operations);
 
-// Whether solutions are better in a loop over right-hand sides in lanes.
+// Whether solutions are better in a loop over right-hand sides in lanes; the second for an unactuated base.
 bool are_better_in_columns(long operations);
-bool solves_in_columns(const model::KinematicTree& tree);
-bool solves_for_base_in_columns(const model::KinematicTree& tree);
+bool are_better_in_columns_for_base(long operations);
 
 }  // namespace robcogen::algorithm

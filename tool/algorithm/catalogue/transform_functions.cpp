@@ -151,20 +151,21 @@ PrimitiveProduct primitive_product(
   return product;
 }
 
-std::vector<TransformFunction> transform_functions(const CoordinateTransforms& document) {
-  std::vector<TransformFunction> list;
-  for (const TransformKind& kind : transform_kinds()) {
-    for (std::size_t i = 0; i < document.transforms.size(); ++i) {
-      const CoordinateTransform& transform = document.transforms[i];
-      const std::string name = name_of(transform);
-      list.push_back(
-          {i,
-           "transforms::" + kind.scope,
-           name,
-           {kind.summary(transform.left, transform.right)},
-           transform_program(document, transform, kind.form, kind.scope + "_" + name)});
+std::vector<symbolic::Function> transform_functions(const CoordinateTransforms& document) {
+  std::vector<symbolic::Function> list;
+  for (const TransformKind& kind : transform_kinds())
+    for (const CoordinateTransform& transform : document.transforms) {
+      symbolic::Function f;
+      f.group = "transforms";
+      f.scope = "transforms::" + kind.scope;
+      f.name = name_of(transform);
+      f.kernel = kind.scope + "_" + f.name;
+      f.summary = {kind.summary(transform.left, transform.right)};
+      f.left = transform.left;
+      f.right = transform.right;
+      f.program = transform_program(document, transform, kind.form, f.kernel);
+      list.push_back(std::move(f));
     }
-  }
   return list;
 }
 

@@ -7,8 +7,7 @@
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/primitive_product.h"
 #include "model/coordinate_transforms.h"
-#include "symbolic/derivative.h"
-#include "symbolic/program.h"
+#include "symbolic/function.h"
 
 namespace robcogen::algorithm {
 
@@ -38,16 +37,7 @@ PrimitiveProduct primitive_product(
 // The user's name, or `A_X_B`.
 std::string name_of(const model::CoordinateTransform& transform);
 
-// One function of the API.
-struct TransformFunction {
-  std::size_t transform = 0;         // into CoordinateTransforms::transforms
-  std::string scope;                 // transforms::homogeneous, transforms::motion, transforms::force
-  std::string name;                  // see name_of
-  std::vector<std::string> summary;  // what, frames
-  symbolic::Program program;         // program.name is unique among the document's functions
-  std::vector<symbolic::DerivativeBlock> derivatives = {};  // see RobotFunction
-};
-
-std::vector<TransformFunction> transform_functions(const model::CoordinateTransforms& document);
+// All functions of the document.
+std::vector<symbolic::Function> transform_functions(const model::CoordinateTransforms& document);
 
 }  // namespace robcogen::algorithm

@@ -1,5 +1,7 @@
 #include "algorithm/search/choices.h"
 
+#include <algorithm>
+
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/formulation/rotor_spin.h"
 #include "algorithm/search/corresponding_frames.h"
@@ -76,13 +78,70 @@ const ForwardDynamicsChoice& FormulationChoices::forward_dynamics() {
   });
 }
 
-Formulation FormulationChoices::cheaper_for(const std::function<symbolic::Program(const Formulation&)>& trace) {
+Formulation FormulationChoices::cheapest_for(const TraceOfProgram& trace, bool with_inertia) {
+  std::vector<const Formulation*> tried = {&common_};
+  const auto add = [&](const Formulation& f) {
+    const bool is_new =
+        std::none_of(tried.begin(), tried.end(), [&](const Formulation* other) { return other->frames == f.frames; });
+    if (is_new) tried.push_back(&f);
+  };
+  add(newton_euler());
+  if (with_inertia) add(inertia());
+  if (tried.size() == 1) return common_;
   const auto work = [&](Formulation formulation) {
     formulation.is_draft = true;
     formulation.representative.clear();
     return symbolic::work(trace(formulation));
   };
-  return work(newton_euler()) < work(common_) ? newton_euler() : common_;
+  const Formulation* cheapest = tried.front();
+  auto least = work(*cheapest);
+  for (std::size_t k = 1; k < tried.size(); ++k) {
+    const auto other = work(*tried[k]);
+    if (other < least) cheapest = tried[k], least = other;
+  }
+  return *cheapest;
+}
+
+ForwardDynamicsChoice FormulationChoices::choice(
+    Search search,
+    const std::string& function,
+    const TraceOfProgram& trace) {
+  const auto with = [](const Formulation& f) { return ForwardDynamicsChoice{{}, f}; };
+  switch (search) {
+    case Search::none: {
+      Formulation of_model;
+      of_model.representative = representative_of_model_;
+      return with(of_model);
+    }
+    case Search::newton_euler:
+      return with(newton_euler());
+    case Search::unactuated_base:
+      return with(unactuated_base());
+    case Search::inertia:
+      return with(inertia());
+    case Search::inverse_dynamics_derivatives:
+      return with(inverse_dynamics_derivatives());
+    case Search::forward_dynamics:
+      return forward_dynamics();
+    case Search::cheaper:
+    case Search::cheapest:
+      break;
+  }
+  Lazy<Formulation>* found = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    found = &cheapest_[function];
+  }
+  return with(found->get([&] { return cheapest_for(trace, search == Search::cheapest); }));
+}
+
+const symbolic::Program& FormulationChoices::inertia_factor() {
+  return inertia_factor_.get(
+      [&] { return joint_space_inertia_factor(tree(), "joint_space_inertia_factor", inertia()); });
+}
+
+const model::MotionGraph& FormulationChoices::motions() {
+  return motions_.get([&] { return std::make_unique<const Motions>(model_); })->graph;
 }
 
 }  // namespace robcogen::algorithm

@@ -1,4 +1,4 @@
-// From a model to programs.
+// From a model to the functions of its library, before any is traced.
 #pragma once
 
 #include <string>
@@ -6,7 +6,6 @@
 
 #include "driver/functions.h"
 #include "driver/load.h"
-#include "driver/steps.h"
 
 namespace robcogen::driver {
 
@@ -22,10 +21,8 @@ void mention_joint_limit(const Model& model, Diagnostics& diagnostics);
 // Throws a Failure if the robot has more than kMaxJoints.
 void require_traceable(const Model& model);
 
-// All functions of these groups, then the derivatives that the model asks for, in the formulation of the steps, before
-// any pass.
-Functions trace(const Model& model, const std::vector<std::string>& groups, const Steps& steps);
-// The same. For a robot with congruent limbs that are worth lanes, it also sets Function::congruent.
-Functions trace_for_lanes(const Model& model, const std::vector<std::string>& groups, const Steps& steps);
+// All functions of these groups, then the derivatives that the model asks for. Those of transforms are traced: there is
+// nothing to choose. Throws a Failure if a derivative is of no function or input.
+Functions declare(const Model& model, const std::vector<std::string>& groups);
 
 }  // namespace robcogen::driver
