@@ -45,10 +45,6 @@ Signed value(Form form, const Signed& a, bool negative) {
   return {ref(made(form, a.quantity)), negative};
 }
 
-bool is_value(const QuantityRef& q) {
-  return q && q->form == Form::value;
-}
-
 // An element, with this symbol, of a vector of a link: `w` of the hip, for one axis. The axis, or -1.
 int axis_of(const Quantity& q, const char* symbol) {
   if (q.form != Form::value || q.of_coordinates || q.symbol != symbol || q.element.size() != 1) return -1;

@@ -64,8 +64,8 @@ const std::vector<std::vector<RateTerm>>& TracedClosure::rates() {
     const std::vector<Expression> moved = dependent.solve(column.rows);
     for (std::size_t d = 0; d < rates_.size(); ++d) {
       rates_[d].push_back({column.joint, -moved[d]});
-      const std::string& dependent = trace_.tree.joints[at(closure_.dependents[d])].name;
-      described(coordinates("d", dependent, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
+      const std::string& name = trace_.tree.joints[at(closure_.dependents[d])].name;
+      described(coordinates("d", name, trace_.tree.joints[at(column.joint)].name), rates_[d].back().factor);
     }
   }
   return rates_;
