@@ -17,7 +17,7 @@ Codes codes_of(const Description& description) {
   return test::codes(diagnostics);
 }
 
-// These tests need trees of several elements; each message has its own document in tests/model/bad.
+// These tests need trees of several elements; each message is in a document of tests/model/bad.
 
 TEST(Build, LinksATree) {
   Diagnostics diagnostics;
