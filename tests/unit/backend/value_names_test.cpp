@@ -123,8 +123,8 @@ TEST(ValueNames, OfLanesAreWhatQuantitiesHaveInCommon) {
   EXPECT_EQ(common({ref(left), ref(right)}), "H_HAA_HFE");
   EXPECT_EQ(
       common(
-          {ref(product({"LF_hip", "w", "x"}, {"LF_hip", "w", "y"})),
-           ref(product({"RF_hip", "w", "x"}, {"RF_hip", "w", "y"}))}),
+          {ref(symbolic::product({"LF_hip", "w", "x"}, {"LF_hip", "w", "y"})),
+           ref(symbolic::product({"RF_hip", "w", "x"}, {"RF_hip", "w", "y"}))}),
       "hip_wx_wy");
 }
 
