@@ -59,7 +59,7 @@ TEST(ValueNames, ProductsAndSquaresOfNamedValues) {
       kRates +
           "tmp a = hip_wx * hip_wx\ntmp b = hip_wx * hip_wy_neg\ntmp c = hip_wx - hip_wdz\ntmp d = a + b\ntmp e = c + "
           "d\nreturn tau e\n",
-      {"hip_wx2", "hip_wx_wy_neg", "hip_wx_minus_wdz", "hip_t0", "hip_t1"});
+      {"hip_wx2", "hip_wx_wy_neg", "hip_wx_minus_wdz", "hip_wx2_minus_wx_wy", "hip_t0"});
   expect_last("tmp a = qd[0] * qd[1]\nreturn tau a\n", {"qd_HFE_KFE"});
 }
 
@@ -123,8 +123,8 @@ TEST(ValueNames, OfLanesAreWhatQuantitiesHaveInCommon) {
   EXPECT_EQ(common({ref(left), ref(right)}), "H_HAA_HFE");
   EXPECT_EQ(
       common(
-          {ref(product({"LF_hip", "w", "x"}, {"LF_hip", "w", "y"})),
-           ref(product({"RF_hip", "w", "x"}, {"RF_hip", "w", "y"}))}),
+          {ref(symbolic::product({"LF_hip", "w", "x"}, {"LF_hip", "w", "y"})),
+           ref(symbolic::product({"RF_hip", "w", "x"}, {"RF_hip", "w", "y"}))}),
       "hip_wx_wy");
 }
 

@@ -83,7 +83,8 @@ TEST(LanePrograms, NamesAreWhatTheLimbsHaveInCommon) {
     return s.op == Op::multiply;
   });
   ASSERT_NE(product, lanes.statements.end());
-  EXPECT_EQ(product->name, "force");
+  ASSERT_TRUE(product->quantity);
+  EXPECT_EQ(text(*product->quantity), "force");
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST(SplitAngles, LanesAreGathered) {
           test::program("program test\ninput p parameters angle length\ninput q joint_position slide hip knee\n"
                         "input sin_q joint_sine s_slide s_hip s_knee\ninput cos_q joint_cosine c_slide c_hip c_knee\n"
                         "input v joint_velocity slide hip knee\noutput out value 2 1\nsection leg link leg\nin 0\n"
-                        "tmp s = gather sin_q[1] sin_q[2]\ntmp speed = gather v[1] v[2]\ntmp x = s * speed\n"
+                        "tmp leg_t0 = gather sin_q[1] sin_q[2]\ntmp speed = gather v[1] v[2]\ntmp x = leg_t0 * speed\n"
                         "tmp z = x@0 + sin_q[2]\nreturn out z x@1\n")));
   expect_same(program, split);
 }

@@ -5,7 +5,6 @@
 #include "algorithm/dynamics/contact_system.h"
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/spatial/couplings.h"
-#include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -22,42 +21,11 @@ void output_matrix(Trace& trace, const std::string& name, const std::vector<std:
   trace.output(name, Role::matrix, static_cast<int>(rows.size()), static_cast<int>(count), columns);
 }
 
-// The robot of a function whose contacts can be open, and the contacts.
-struct RobotInContact {
-  RobotInContact(Trace& trace, const StateInputs& in, const ContactFrames& contacts, const Formulation& formulation)
-      : switches(trace, contacts), robot(trace, in.q, formulation), switched(robot, in.q, contacts, switches) {}
-
-  ContactSwitches switches;
-  TracedRobot robot;
-  SwitchedContacts switched;
-};
-
-// Inverse dynamics without contacts, and the contacts whose wrenches take over a part of the forces.
-struct ForcesWithoutContacts {
-  ForcesWithoutContacts(
-      Trace& trace,
-      const StateInputs& in,
-      const ContactFrames& contacts,
-      Loads loads,
-      const Formulation& formulation)
-      : forces(TracedMotion(trace, in, loads, formulation).forces),
-        tau(by_coordinate(trace, forces.tau)),
-        rows(trace, in.q, contacts) {}
-
-  Forces forces;
-  std::vector<Expression> tau;
-  ContactRows rows;
-
-  // Subtracts what the wrenches contribute, and outputs the forces of the joints.
-  void output_tau(Trace& trace, const std::vector<Expression>& wrenches) {
-    const std::vector<Expression> generalized = transposed_times(rows, wrenches);
-    const std::size_t first = trace.tree.floating_base ? 6 : 0;
-    Force& base = forces.base_wrench;
-    for (std::size_t k = 0; k < first; ++k) (k < 3 ? base.moment[k] : base.linear[k - 3]) -= generalized[k];
-    for (std::size_t k = 0; k < tau.size(); ++k) tau[k] -= generalized[first + k];
-    trace.output("tau", Role::joint_force, tau);
-  }
-};
+void subtract(Trace& trace, const std::vector<Expression>& generalized, std::vector<Expression>& tau, Force& base) {
+  const std::size_t first = trace.tree.floating_base ? 6 : 0;
+  for (std::size_t k = 0; k < first; ++k) (k < 3 ? base.moment[k] : base.linear[k - 3]) -= generalized[k];
+  for (std::size_t k = 0; k < tau.size(); ++k) tau[k] -= generalized[first + k];
+}
 
 }  // namespace
 
@@ -137,9 +105,11 @@ Program impact(
   std::vector<std::string> names;
   for (const model::ContactFrame& contact : contacts) names.push_back(contact.frame.name);
   const std::vector<Expression> restitution = trace.input("restitution", Role::value, names);
-  const RobotInContact robot(trace, in, contacts, formulation);
+  const ContactSwitches switches(trace, contacts);
+  const TracedRobot robot(trace, in.q, formulation);
+  const SwitchedContacts switched(robot, in.q, contacts, switches);
   const std::vector<Expression> before = stacked_velocities(in, trace);
-  const auto [change, impulses] = constrained_impact(trace, robot.switched, before, restitution);
+  const auto [change, impulses] = constrained_impact(trace, switched, before, restitution);
   std::vector<Expression> after = change;
   for (std::size_t k = 0; k < after.size(); ++k) after[k] += before[k];
   output_motion(trace, after, {"qd_after", Role::joint_velocity}, {"base_velocity_after", Role::base_velocity});
@@ -156,10 +126,13 @@ Program inverse_dynamics_with_contacts(
   Trace trace(tree);
   const StateInputs in = motion_inputs(trace);
   const std::vector<Expression> wrenches = trace.input("contact_wrenches", Role::value, force_elements(contacts));
-  ForcesWithoutContacts motion(trace, in, contacts, loads, formulation);
+  Forces forces = TracedMotion(trace, in, loads, formulation).forces;
+  std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  const ContactRows rows(trace, in.q, contacts);
   trace.section("contacts", "contacts: joint forces minus those of the wrenches");
-  motion.output_tau(trace, wrenches);
-  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, motion.forces.base_wrench);
+  subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
+  trace.output("tau", Role::joint_force, tau);
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
   return trace.program(name);
 }
 
@@ -175,8 +148,9 @@ Program constrained_inverse_dynamics(
   const StateInputs in = motion_inputs(trace);
   const std::vector<Expression> weights = trace.input("weights", Role::contact_compliance, force_elements(contacts));
   const Expression regularization = trace.input("regularization", Role::contact_compliance, {"r"}).front();
-  ForcesWithoutContacts motion(trace, in, contacts, loads, formulation);
-  const ContactRows& rows = motion.rows;
+  Forces forces = TracedMotion(trace, in, loads, formulation).forces;
+  std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  const ContactRows rows(trace, in.q, contacts);
   trace.section("contacts", "contacts: wrenches");
   std::vector<std::vector<Expression>> weighted;  // G J_b, by row
   SquareMatrix gram(kBase);
@@ -190,7 +164,7 @@ Program constrained_inverse_dynamics(
     gram(i, i) += regularization;
     for (int k = 0; k < i; ++k) gram(k, i) = gram(i, k);
   }
-  const Force& needed = motion.forces.base_wrench;
+  const Force& needed = forces.base_wrench;
   std::vector<Expression> b(needed.moment.element.begin(), needed.moment.element.end());
   b.insert(b.end(), needed.linear.element.begin(), needed.linear.element.end());
   const std::vector<Expression> y = solve(gram, b, {"nx", "ny", "nz", "fx", "fy", "fz"});
@@ -199,9 +173,10 @@ Program constrained_inverse_dynamics(
     Expression& f = wrenches.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) f += row[k] * y[k];
   }
-  motion.output_tau(trace, wrenches);
+  subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
+  trace.output("tau", Role::joint_force, tau);
   trace.output("contact_wrenches", Role::value, wrenches);
-  trace.output("base_wrench", Role::base_wrench, motion.forces.base_wrench);
+  trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
   return trace.program(name);
 }
 
@@ -212,8 +187,10 @@ Program operational_space(
     const Formulation& formulation) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position});
-  const RobotInContact robot(trace, in, contacts, formulation);
-  const auto& [rows, system, active] = robot.switched;
+  const ContactSwitches switches(trace, contacts);
+  const TracedRobot robot(trace, in.q, formulation);
+  const SwitchedContacts switched(robot, in.q, contacts, switches);
+  const auto& [rows, system, active] = switched;
   const SquareMatrix inertia = active.inverse();
   const std::size_t size = rows.J.front().size();
   const std::vector<Expression> none(size);

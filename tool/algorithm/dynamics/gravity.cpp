@@ -85,7 +85,7 @@ bool commute(const model::KinematicTree& tree, int a, int b) {
   return a == b || tree.joints[at(a)].spherical.empty() || tree.joints[at(a)].spherical != tree.joints[at(b)].spherical;
 }
 
-// With joints that follow others through loops, by the chain rule (looped_derivatives.h).
+// With dependent joints of loops, by the chain rule (looped_derivatives.h).
 Program looped_gravity_derivative(
     Trace& trace,
     const StateInputs& in,

@@ -24,7 +24,7 @@ class LoopConstraints {
   // By row: the contribution of the joint velocities `qd` to the second derivative of the error.
   std::vector<Expression> bias(const std::vector<Expression>& qd);
   // The constraint forces that belong to `lambda`: by loop as in Trace::reactions, and by coupling the force on the
-  // joint that follows.
+  // dependent joint.
   struct Forces {
     std::vector<std::vector<Expression>> of_loops;
     std::vector<Expression> of_couplings;

@@ -1,5 +1,5 @@
-// Derivatives for robots with loops, by the chain rule over expressions: joints that follow others move with them in
-// proportions that change, so that forces of joints change with G too.
+// Derivatives for robots with loops, by the chain rule over expressions: the matrix G of the rates of all joints by
+// those of the coordinates (couplings.h) depends on q, and forces by coordinate change with G too.
 #pragma once
 
 #include <vector>

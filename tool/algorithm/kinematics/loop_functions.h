@@ -10,7 +10,7 @@
 
 namespace robcogen::algorithm {
 
-// q -> q with the joints that follow at positions that close the loops, by Newton's method from their given positions;
+// q -> q with the dependent joints at positions that close the loops, by Newton's method from their given positions;
 // NaN if it does not converge. For robots with loops that no formulas close.
 symbolic::Program close_loops(const model::KinematicTree& tree, const std::string& name);
 

@@ -1,4 +1,4 @@
-// The columns of K of the joints that follow, with solutions of K_d x = rows for any rows.
+// The columns of K of the dependent joints, with solutions of K_d x = rows for any rows.
 #pragma once
 
 #include <vector>

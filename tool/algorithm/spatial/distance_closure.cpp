@@ -32,7 +32,7 @@ class DistanceClosure : public TracedClosure {
  private:
   const model::LoopJoint& loop_;
   Positions positions_;
-  std::size_t end_ = 0, place_ = 0;             // of the joint that follows
+  std::size_t end_ = 0, place_ = 0;             // of the dependent joint
   std::array<std::vector<Pose>, 2> poses_;      // by joint of an end, then of its frame
   std::array<std::vector<Vector3>, 2> points_;  // the end's point in each frame before a pose
 

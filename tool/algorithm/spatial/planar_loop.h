@@ -25,7 +25,7 @@ using PlanarLoop = std::array<std::vector<Pivot>, 2>;
 
 PlanarLoop planar_loop(Trace& trace, const model::Closure& closure);
 
-// Pivots of one end whose joints are at q (by joint); positions of joints that follow need not be known.
+// Pivots of one end whose joints are at q (by joint); positions of dependent joints need not be known.
 struct PlanarChain {
   symbolic::Graph& graph;
   const std::vector<Pivot>& pivots;

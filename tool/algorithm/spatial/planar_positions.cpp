@@ -10,7 +10,7 @@ namespace {
 using symbolic::Expression;
 using Chains = std::array<PlanarChain, 2>;
 
-// A joint that follows.
+// A dependent joint.
 struct Unknown {
   std::size_t end = 0;
   std::size_t place = 0;  // in its chain

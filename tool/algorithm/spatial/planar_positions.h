@@ -1,11 +1,11 @@
-// Positions of the two joints that follow through a loop in a plane.
+// Positions of the two dependent joints of a loop in a plane.
 #pragma once
 
 #include "algorithm/spatial/planar_loop.h"
 
 namespace robcogen::algorithm {
 
-// Returns `q` (by joint) with the positions of the joints that follow; `branch` as in model::Closure. If the loop
+// Returns `q` (by joint) with the positions of the dependent joints; `branch` as in model::Closure. If the loop
 // cannot close, they are NaN.
 std::vector<symbolic::Expression> closed_positions(
     symbolic::Graph& graph,

@@ -211,7 +211,7 @@ class SpatialClosure : public TracedClosure {
     for (const int loop : closure.loops) loops_.emplace_back(trace, trace.tree.loops[at(loop)], q, positions);
   }
 
-  // The step of each joint that follows.
+  // The step of each dependent joint.
   std::vector<Expression> newton_step() {
     const std::vector<Expression> rows = error();
     return dependent_columns().solve(rows);

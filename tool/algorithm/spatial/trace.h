@@ -90,8 +90,8 @@ class Trace : public ProgramTrace {
       const std::string& name,
       symbolic::Role role,
       const std::vector<Expression>& coordinates);
-  // The accelerations of all joints if those of the coordinates are zero. They come from joints that follow others
-  // through loops, at the last velocities of the trace.
+  // The accelerations of all joints if those of the coordinates are zero. They are those of the dependent joints of
+  // loops, at the last velocities of the trace.
   std::vector<Expression> accelerations_at_rest();
   // For a motion `v` of all joints that keeps loops closed: the terms that are added to its rate, by joint, while
   // joints move with `qd` (dG/dt y for v = G y).
@@ -103,7 +103,7 @@ class Trace : public ProgramTrace {
       const std::vector<Expression>& v);
   // Elements of q, from positions by joint as joint_input returns them.
   std::vector<Expression> positions(const std::vector<Expression>& joints) const;
-  // The rate of a joint that follows others through a loop, as a combination of those of coordinates.
+  // The rate of a dependent joint of a loop, as a combination of those of coordinates.
   const std::vector<RateTerm>& rates_of(const model::Coupling& coupling);
   // By loop: the force of its second end on its first one (TracedClosure::reaction), from the forces that a motion
   // needs at all joints, at the positions q by joint.
@@ -118,11 +118,11 @@ class Trace : public ProgramTrace {
  private:
   std::vector<std::unique_ptr<TracedClosure>> closures_;  // at the positions of the trace
   std::vector<Expression> positions_, velocities_;        // by joint
-  std::vector<std::vector<RateTerm>> rates_;              // by joint that follows through a loop
+  std::vector<std::vector<RateTerm>> rates_;              // by dependent joint of a loop
 
   std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
-  // Positions by coordinate, then the scalar parts of quaternions, then joints that follow others in q.
+  // Positions by coordinate, then the scalar parts of quaternions, then dependent joints in q.
   std::vector<Expression> position_input(const std::string& name);
 };
 

@@ -119,49 +119,50 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   const Scalar trunk_t5 = upperleg_Sxx_P_sum + Scalar(0.443730641812);
 
   // link hipassembly of LF, RF, LH, RH: column of joint HAA
-  const Lanes4 H_HAA = upperleg_Sxx_P + Lanes4(Scalar(0.036373838517));
-  H[114] = H_HAA[0];
-  H[171] = H_HAA[1];
-  H[228] = H_HAA[2];
-  H[285] = H_HAA[3];
-  const Lanes4 H_wx_HAA = H_HAA + hipassembly_hy_P * trunk_Sxy_lanes;
+  const Lanes4 H_HAA_HAA = upperleg_Sxx_P + Lanes4(Scalar(0.036373838517));
+  H[114] = H_HAA_HAA[0];
+  H[171] = H_HAA_HAA[1];
+  H[228] = H_HAA_HAA[2];
+  H[285] = H_HAA_HAA[3];
+  const Lanes4 H_wx_HAA = H_HAA_HAA + hipassembly_hy_P * trunk_Sxy_lanes;
   robcogen::store_lanes<54>(
       &H[108], H_wx_HAA, -H_wy_HAA_neg, hipassembly_Sxz_P_neg, Lanes4(Scalar(0.0)), hipassembly_hz_P_neg,
       hipassembly_hy_P);
 
   // link upperleg of LF, RF, LH, RH: column of joint HFE
-  const Lanes4 H_HFE = upperleg_Sxx_of_KFE_2 + Lanes4(Scalar(0.2217141934038));
-  const Lanes4 H_wz_to_P = hipassembly_hz_neg * hipassembly_Sxz_P_lanes - H_HFE - Lanes4(Scalar(0.08)) * upperleg_hx_P;
+  const Lanes4 H_HFE_HFE = upperleg_Sxx_of_KFE_2 + Lanes4(Scalar(0.2217141934038));
+  const Lanes4 H_wz_HFE_to_hx_P =
+      hipassembly_hz_neg * hipassembly_Sxz_P_lanes - H_HFE_HFE - Lanes4(Scalar(0.08)) * upperleg_hx_P;
   const Lanes4 H_vz_HFE = cos_q_lanes[0] * hipassembly_hz_neg;
   const Lanes4 H_vy_HFE_neg = sin_q_lanes[0] * hipassembly_hz_neg;
-  const Lanes4 H_wy = cos_q_lanes[0] * H_wz_to_P;
-  const Lanes4 H_wx = trunk_Sxy_lanes * H_vz_HFE;
-  const Lanes4 H_wz = sin_q_lanes[0] * H_wz_to_P - upperleg_hx_P * trunk_Sxy_lanes;
-  robcogen::store_lanes<54>(&H[126], H_wx, -H_wy, -H_wz, -upperleg_hx_P, -H_vy_HFE_neg, H_vz_HFE);
+  const Lanes4 H_wy_HFE = cos_q_lanes[0] * H_wz_HFE_to_hx_P;
+  const Lanes4 H_wx_HFE = trunk_Sxy_lanes * H_vz_HFE;
+  const Lanes4 H_wz_HFE = sin_q_lanes[0] * H_wz_HFE_to_hx_P - upperleg_hx_P * trunk_Sxy_lanes;
+  robcogen::store_lanes<54>(&H[126], H_wx_HFE, -H_wy_HFE, -H_wz_HFE, -upperleg_hx_P, -H_vy_HFE_neg, H_vz_HFE);
 
   // link lowerleg of LF, RF, LH, RH: column of joint KFE
-  const Lanes4 H_KFE = Lanes4(Scalar(0.03866709)) * cos_q_lanes[2] + Lanes4(Scalar(0.02193686596));
-  H[151] = H_KFE[0];
-  H[208] = H_KFE[1];
-  H[265] = H_KFE[2];
-  H[322] = H_KFE[3];
-  robcogen::store_lanes<57>(&H[133], H_HFE, H_KFE);
-  const Lanes4 hipassembly_fx_neg = cos_q_lanes[1] * lowerleg_hy_P + sin_q_lanes[1] * lowerleg_hx_P;
-  const Lanes4 hipassembly_fz = sin_q_lanes[1] * lowerleg_hy_P - cos_q_lanes[1] * lowerleg_hx_P;
-  robcogen::store_lanes<3>(&H[61], -upperleg_hx_P, hipassembly_fz);
-  const Lanes4 H_wz_2_to_fz =
-      hipassembly_Sxz_P_lanes * hipassembly_fx_neg - H_KFE + Lanes4(Scalar(0.08)) * hipassembly_fz;
-  const Lanes4 H_vz_KFE = cos_q_lanes[0] * hipassembly_fx_neg;
+  const Lanes4 H_HFE_KFE = Lanes4(Scalar(0.03866709)) * cos_q_lanes[2] + Lanes4(Scalar(0.02193686596));
+  H[151] = H_HFE_KFE[0];
+  H[208] = H_HFE_KFE[1];
+  H[265] = H_HFE_KFE[2];
+  H[322] = H_HFE_KFE[3];
+  robcogen::store_lanes<57>(&H[133], H_HFE_HFE, H_HFE_KFE);
+  const Lanes4 KFE_hipassembly_fx_neg = cos_q_lanes[1] * lowerleg_hy_P + sin_q_lanes[1] * lowerleg_hx_P;
+  const Lanes4 KFE_hipassembly_fz = sin_q_lanes[1] * lowerleg_hy_P - cos_q_lanes[1] * lowerleg_hx_P;
+  robcogen::store_lanes<3>(&H[61], -upperleg_hx_P, KFE_hipassembly_fz);
+  const Lanes4 H_wz_KFE_to_fz =
+      hipassembly_Sxz_P_lanes * KFE_hipassembly_fx_neg - H_HFE_KFE + Lanes4(Scalar(0.08)) * KFE_hipassembly_fz;
+  const Lanes4 H_vz_KFE = cos_q_lanes[0] * KFE_hipassembly_fx_neg;
   robcogen::store_lanes<3>(&H[96], hipassembly_hy_P, H_vz_HFE, H_vz_KFE);
-  const Lanes4 H_vy_KFE_neg = sin_q_lanes[0] * hipassembly_fx_neg;
+  const Lanes4 H_vy_KFE_neg = sin_q_lanes[0] * KFE_hipassembly_fx_neg;
   robcogen::store_lanes<3>(&H[78], hipassembly_hz_P_neg, -H_vy_HFE_neg, -H_vy_KFE_neg);
-  const Lanes4 H_wy_2 = cos_q_lanes[0] * H_wz_2_to_fz;
-  robcogen::store_lanes<3>(&H[24], -H_wy_HAA_neg, -H_wy, -H_wy_2);
-  const Lanes4 H_wx_2 = trunk_Sxy_lanes * H_vz_KFE;
-  robcogen::store_lanes<3>(&H[6], H_wx_HAA, H_wx, H_wx_2);
-  const Lanes4 H_wz_2 = trunk_Sxy_lanes * hipassembly_fz + sin_q_lanes[0] * H_wz_2_to_fz;
-  robcogen::store_lanes<3>(&H[42], hipassembly_Sxz_P_neg, -H_wz, -H_wz_2);
-  robcogen::store_lanes<54>(&H[144], H_wx_2, -H_wy_2, -H_wz_2, hipassembly_fz, -H_vy_KFE_neg, H_vz_KFE);
+  const Lanes4 H_wy_KFE = cos_q_lanes[0] * H_wz_KFE_to_fz;
+  robcogen::store_lanes<3>(&H[24], -H_wy_HAA_neg, -H_wy_HFE, -H_wy_KFE);
+  const Lanes4 H_wx_KFE = trunk_Sxy_lanes * H_vz_KFE;
+  robcogen::store_lanes<3>(&H[6], H_wx_HAA, H_wx_HFE, H_wx_KFE);
+  const Lanes4 H_wz_KFE = trunk_Sxy_lanes * KFE_hipassembly_fz + sin_q_lanes[0] * H_wz_KFE_to_fz;
+  robcogen::store_lanes<3>(&H[42], hipassembly_Sxz_P_neg, -H_wz_HFE, -H_wz_KFE);
+  robcogen::store_lanes<54>(&H[144], H_wx_KFE, -H_wy_KFE, -H_wz_KFE, KFE_hipassembly_fz, -H_vy_KFE_neg, H_vz_KFE);
 
   // link RH_lowerleg: column of joint RH_KFE
   H[0] = trunk_t5 + trunk_t4;
@@ -209,14 +210,15 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   // link LF_upperleg: composite inertia
   const Scalar LF_lowerleg_hx_P = Scalar(0.1104774) * c_LF_KFE;
   const Scalar LF_lowerleg_hy_P = Scalar(0.1104774) * s_LF_KFE;
-  const Scalar LF_upperleg_Sxx_of_KFE = Scalar(0.02176086596) * (s_LF_KFE * s_LF_KFE);
-  const Scalar LF_upperleg_Sxx_of_KFE_2 = Scalar(0.07733418) * c_LF_KFE;
+  const Scalar LF_upperleg_Sxx_of_LF_KFE = Scalar(0.02176086596) * (s_LF_KFE * s_LF_KFE);
+  const Scalar LF_upperleg_Sxx_of_LF_KFE_2 = Scalar(0.07733418) * c_LF_KFE;
   const Scalar LF_upperleg_hx = LF_lowerleg_hx_P + Scalar(0.70600212);
   const Scalar LF_upperleg_hy = LF_lowerleg_hy_P - Scalar(0.0692475);
-  const Scalar LF_upperleg_Sxx_neg = LF_upperleg_Sxx_of_KFE - (LF_upperleg_Sxx_of_KFE_2 + Scalar(0.2166429465288));
+  const Scalar LF_upperleg_Sxx_neg =
+      LF_upperleg_Sxx_of_LF_KFE - (LF_upperleg_Sxx_of_LF_KFE_2 + Scalar(0.2166429465288));
   const Scalar LF_upperleg_Sxy =
       Scalar(0.02176086596) * (c_LF_KFE * s_LF_KFE) + (Scalar(0.03866709) * s_LF_KFE - Scalar(0.01043836815));
-  const Scalar LF_upperleg_Syy = LF_upperleg_Sxx_of_KFE + Scalar(0.005071246875);
+  const Scalar LF_upperleg_Syy = LF_upperleg_Sxx_of_LF_KFE + Scalar(0.005071246875);
 
   // link LF_hipassembly: composite inertia
   const Scalar LF_upperleg_hx_P = c_LF_HFE * LF_upperleg_hx - s_LF_HFE * LF_upperleg_hy;
@@ -225,14 +227,14 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   const Scalar LF_upperleg_Syy_minus_Sxx = LF_upperleg_Sxx_neg + LF_upperleg_Syy;
   const Scalar s2_LF_HFE = s_LF_HFE * s_LF_HFE;
   const Scalar sc_LF_HFE = c_LF_HFE * s_LF_HFE;
-  const Scalar LF_hipassembly_Szz_to_HFE =
+  const Scalar LF_hipassembly_Szz_to_2LF_HFE =
       LF_upperleg_Syy_minus_Sxx * s2_LF_HFE - LF_upperleg_Sxy * (Scalar(2.0) * sc_LF_HFE);
-  const Scalar LF_hipassembly_Szz = LF_upperleg_Syy - LF_hipassembly_Szz_to_HFE;
+  const Scalar LF_hipassembly_Szz = LF_upperleg_Syy - LF_hipassembly_Szz_to_2LF_HFE;
   const Scalar LF_hipassembly_hx = LF_upperleg_hx_P + Scalar(0.4064259);
-  const Scalar LF_hipassembly_Sxz_to_HFE =
+  const Scalar LF_hipassembly_Sxz_to_2LF_HFE =
       LF_upperleg_Sxy * (Scalar(1.0) - Scalar(2.0) * s2_LF_HFE) + Scalar(0.021147817929);
   const Scalar LF_hipassembly_Sxz =
-      LF_upperleg_Syy_minus_Sxx * sc_LF_HFE - (Scalar(0.08) * LF_hipassembly_hz_neg + LF_hipassembly_Sxz_to_HFE);
+      LF_upperleg_Syy_minus_Sxx * sc_LF_HFE - (Scalar(0.08) * LF_hipassembly_hz_neg + LF_hipassembly_Sxz_to_2LF_HFE);
 
   // link trunk: composite inertia
   const Scalar LF_hipassembly_Sxz_moved = LF_hipassembly_Sxz + Scalar(0.3735) * LF_hipassembly_hx;
@@ -248,14 +250,15 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   // link RF_upperleg: composite inertia
   const Scalar RF_lowerleg_hx_P = Scalar(0.1104774) * c_RF_KFE;
   const Scalar RF_lowerleg_hy_P = Scalar(0.1104774) * s_RF_KFE;
-  const Scalar RF_upperleg_Sxx_of_KFE = Scalar(0.02176086596) * (s_RF_KFE * s_RF_KFE);
-  const Scalar RF_upperleg_Sxx_of_KFE_2 = Scalar(0.07733418) * c_RF_KFE;
+  const Scalar RF_upperleg_Sxx_of_RF_KFE = Scalar(0.02176086596) * (s_RF_KFE * s_RF_KFE);
+  const Scalar RF_upperleg_Sxx_of_RF_KFE_2 = Scalar(0.07733418) * c_RF_KFE;
   const Scalar RF_upperleg_hx = RF_lowerleg_hx_P + Scalar(0.70600212);
   const Scalar RF_upperleg_hy_neg = Scalar(0.0692475) - RF_lowerleg_hy_P;
-  const Scalar RF_upperleg_Sxx_neg = RF_upperleg_Sxx_of_KFE - (RF_upperleg_Sxx_of_KFE_2 + Scalar(0.2166429465288));
+  const Scalar RF_upperleg_Sxx_neg =
+      RF_upperleg_Sxx_of_RF_KFE - (RF_upperleg_Sxx_of_RF_KFE_2 + Scalar(0.2166429465288));
   const Scalar RF_upperleg_Sxy =
       Scalar(0.02176086596) * (c_RF_KFE * s_RF_KFE) - (Scalar(0.01043836815) - Scalar(0.03866709) * s_RF_KFE);
-  const Scalar RF_upperleg_Syy = RF_upperleg_Sxx_of_KFE + Scalar(0.005071246875);
+  const Scalar RF_upperleg_Syy = RF_upperleg_Sxx_of_RF_KFE + Scalar(0.005071246875);
 
   // link RF_hipassembly: composite inertia
   const Scalar RF_upperleg_hx_P = c_RF_HFE * RF_upperleg_hx + s_RF_HFE * RF_upperleg_hy_neg;
@@ -264,16 +267,17 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   const Scalar RF_upperleg_Syy_minus_Sxx = RF_upperleg_Sxx_neg + RF_upperleg_Syy;
   const Scalar s2_RF_HFE = s_RF_HFE * s_RF_HFE;
   const Scalar sc_RF_HFE = c_RF_HFE * s_RF_HFE;
-  const Scalar RF_hipassembly_Szz_to_HFE =
+  const Scalar RF_hipassembly_Szz_to_2RF_HFE =
       RF_upperleg_Syy_minus_Sxx * s2_RF_HFE - RF_upperleg_Sxy * (Scalar(2.0) * sc_RF_HFE);
-  const Scalar RF_hipassembly_Szz = RF_upperleg_Syy - RF_hipassembly_Szz_to_HFE;
-  const Scalar RF_upperleg_Sxx_P = RF_hipassembly_Szz_to_HFE - (RF_upperleg_Sxx_neg - Scalar(0.16) * RF_upperleg_hx_P);
+  const Scalar RF_hipassembly_Szz = RF_upperleg_Syy - RF_hipassembly_Szz_to_2RF_HFE;
+  const Scalar RF_upperleg_Sxx_P =
+      RF_hipassembly_Szz_to_2RF_HFE - (RF_upperleg_Sxx_neg - Scalar(0.16) * RF_upperleg_hx_P);
   const Scalar RF_hipassembly_hx = RF_upperleg_hx_P + Scalar(0.4064259);
   const Scalar RF_hipassembly_Sxx = RF_upperleg_Sxx_P + Scalar(0.031362338517);
-  const Scalar RF_hipassembly_Sxz_to_HFE =
+  const Scalar RF_hipassembly_Sxz_to_2RF_HFE =
       RF_upperleg_Sxy * (Scalar(1.0) - Scalar(2.0) * s2_RF_HFE) + Scalar(0.021147817929);
   const Scalar RF_hipassembly_Sxz =
-      RF_upperleg_Syy_minus_Sxx * sc_RF_HFE - (Scalar(0.08) * RF_hipassembly_hz_neg + RF_hipassembly_Sxz_to_HFE);
+      RF_upperleg_Syy_minus_Sxx * sc_RF_HFE - (Scalar(0.08) * RF_hipassembly_hz_neg + RF_hipassembly_Sxz_to_2RF_HFE);
 
   // link trunk: composite inertia
   const Scalar RF_hipassembly_Sxz_moved = RF_hipassembly_Sxz + Scalar(0.3735) * RF_hipassembly_hx;
@@ -289,14 +293,15 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   // link LH_upperleg: composite inertia
   const Scalar LH_lowerleg_hx_P = Scalar(0.1104774) * c_LH_KFE;
   const Scalar LH_lowerleg_hy_P = Scalar(0.1104774) * s_LH_KFE;
-  const Scalar LH_upperleg_Sxx_of_KFE = Scalar(0.02176086596) * (s_LH_KFE * s_LH_KFE);
-  const Scalar LH_upperleg_Sxx_of_KFE_2 = Scalar(0.07733418) * c_LH_KFE;
+  const Scalar LH_upperleg_Sxx_of_LH_KFE = Scalar(0.02176086596) * (s_LH_KFE * s_LH_KFE);
+  const Scalar LH_upperleg_Sxx_of_LH_KFE_2 = Scalar(0.07733418) * c_LH_KFE;
   const Scalar LH_upperleg_hx = LH_lowerleg_hx_P + Scalar(0.70600212);
   const Scalar LH_upperleg_hy = LH_lowerleg_hy_P + Scalar(0.0692475);
-  const Scalar LH_upperleg_Sxx_neg = LH_upperleg_Sxx_of_KFE - (LH_upperleg_Sxx_of_KFE_2 + Scalar(0.2166429465288));
+  const Scalar LH_upperleg_Sxx_neg =
+      LH_upperleg_Sxx_of_LH_KFE - (LH_upperleg_Sxx_of_LH_KFE_2 + Scalar(0.2166429465288));
   const Scalar LH_upperleg_Sxy =
       Scalar(0.02176086596) * (c_LH_KFE * s_LH_KFE) + (Scalar(0.03866709) * s_LH_KFE + Scalar(0.01043836815));
-  const Scalar LH_upperleg_Syy = LH_upperleg_Sxx_of_KFE + Scalar(0.005071246875);
+  const Scalar LH_upperleg_Syy = LH_upperleg_Sxx_of_LH_KFE + Scalar(0.005071246875);
 
   // link LH_hipassembly: composite inertia
   const Scalar LH_upperleg_hx_P = c_LH_HFE * LH_upperleg_hx - s_LH_HFE * LH_upperleg_hy;
@@ -305,16 +310,17 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   const Scalar LH_upperleg_Syy_minus_Sxx = LH_upperleg_Sxx_neg + LH_upperleg_Syy;
   const Scalar s2_LH_HFE = s_LH_HFE * s_LH_HFE;
   const Scalar sc_LH_HFE = c_LH_HFE * s_LH_HFE;
-  const Scalar LH_hipassembly_Szz_to_HFE =
+  const Scalar LH_hipassembly_Szz_to_2LH_HFE =
       LH_upperleg_Syy_minus_Sxx * s2_LH_HFE - LH_upperleg_Sxy * (Scalar(2.0) * sc_LH_HFE);
-  const Scalar LH_hipassembly_Szz = LH_upperleg_Syy - LH_hipassembly_Szz_to_HFE;
-  const Scalar LH_upperleg_Sxx_P = LH_hipassembly_Szz_to_HFE - (LH_upperleg_Sxx_neg - Scalar(0.16) * LH_upperleg_hx_P);
+  const Scalar LH_hipassembly_Szz = LH_upperleg_Syy - LH_hipassembly_Szz_to_2LH_HFE;
+  const Scalar LH_upperleg_Sxx_P =
+      LH_hipassembly_Szz_to_2LH_HFE - (LH_upperleg_Sxx_neg - Scalar(0.16) * LH_upperleg_hx_P);
   const Scalar LH_hipassembly_hx = LH_upperleg_hx_P + Scalar(0.4064259);
   const Scalar LH_hipassembly_Sxx = LH_upperleg_Sxx_P + Scalar(0.031362338517);
-  const Scalar LH_hipassembly_Sxz_to_HFE =
+  const Scalar LH_hipassembly_Sxz_to_2LH_HFE =
       Scalar(0.021147817929) - LH_upperleg_Sxy * (Scalar(1.0) - Scalar(2.0) * s2_LH_HFE);
   const Scalar LH_hipassembly_Sxz =
-      LH_upperleg_Syy_minus_Sxx * sc_LH_HFE - (Scalar(0.08) * LH_hipassembly_hz_neg - LH_hipassembly_Sxz_to_HFE);
+      LH_upperleg_Syy_minus_Sxx * sc_LH_HFE - (Scalar(0.08) * LH_hipassembly_hz_neg - LH_hipassembly_Sxz_to_2LH_HFE);
 
   // link trunk: composite inertia
   const Scalar LH_hipassembly_Sxz_moved = LH_hipassembly_Sxz - Scalar(0.3735) * LH_hipassembly_hx;
@@ -330,14 +336,15 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   // link RH_upperleg: composite inertia
   const Scalar RH_lowerleg_hx_P = Scalar(0.1104774) * c_RH_KFE;
   const Scalar RH_lowerleg_hy_P = Scalar(0.1104774) * s_RH_KFE;
-  const Scalar RH_upperleg_Sxx_of_KFE = Scalar(0.02176086596) * (s_RH_KFE * s_RH_KFE);
-  const Scalar RH_upperleg_Sxx_of_KFE_2 = Scalar(0.07733418) * c_RH_KFE;
+  const Scalar RH_upperleg_Sxx_of_RH_KFE = Scalar(0.02176086596) * (s_RH_KFE * s_RH_KFE);
+  const Scalar RH_upperleg_Sxx_of_RH_KFE_2 = Scalar(0.07733418) * c_RH_KFE;
   const Scalar RH_upperleg_hx = RH_lowerleg_hx_P + Scalar(0.70600212);
   const Scalar RH_upperleg_hy = RH_lowerleg_hy_P + Scalar(0.0692475);
-  const Scalar RH_upperleg_Sxx_neg = RH_upperleg_Sxx_of_KFE - (RH_upperleg_Sxx_of_KFE_2 + Scalar(0.2166429465288));
+  const Scalar RH_upperleg_Sxx_neg =
+      RH_upperleg_Sxx_of_RH_KFE - (RH_upperleg_Sxx_of_RH_KFE_2 + Scalar(0.2166429465288));
   const Scalar RH_upperleg_Sxy =
       Scalar(0.02176086596) * (c_RH_KFE * s_RH_KFE) + (Scalar(0.03866709) * s_RH_KFE + Scalar(0.01043836815));
-  const Scalar RH_upperleg_Syy = RH_upperleg_Sxx_of_KFE + Scalar(0.005071246875);
+  const Scalar RH_upperleg_Syy = RH_upperleg_Sxx_of_RH_KFE + Scalar(0.005071246875);
 
   // link RH_hipassembly: composite inertia
   const Scalar RH_upperleg_hx_P = c_RH_HFE * RH_upperleg_hx - s_RH_HFE * RH_upperleg_hy;
@@ -346,82 +353,84 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   const Scalar RH_upperleg_Syy_minus_Sxx = RH_upperleg_Sxx_neg + RH_upperleg_Syy;
   const Scalar s2_RH_HFE = s_RH_HFE * s_RH_HFE;
   const Scalar sc_RH_HFE = c_RH_HFE * s_RH_HFE;
-  const Scalar RH_hipassembly_Szz_to_HFE =
+  const Scalar RH_hipassembly_Szz_to_2RH_HFE =
       RH_upperleg_Syy_minus_Sxx * s2_RH_HFE - RH_upperleg_Sxy * (Scalar(2.0) * sc_RH_HFE);
-  const Scalar RH_hipassembly_Szz = RH_upperleg_Syy - RH_hipassembly_Szz_to_HFE;
-  const Scalar RH_upperleg_Sxx_P = RH_hipassembly_Szz_to_HFE - (RH_upperleg_Sxx_neg - Scalar(0.16) * RH_upperleg_hx_P);
+  const Scalar RH_hipassembly_Szz = RH_upperleg_Syy - RH_hipassembly_Szz_to_2RH_HFE;
+  const Scalar RH_upperleg_Sxx_P =
+      RH_hipassembly_Szz_to_2RH_HFE - (RH_upperleg_Sxx_neg - Scalar(0.16) * RH_upperleg_hx_P);
   const Scalar RH_hipassembly_hx = RH_upperleg_hx_P + Scalar(0.4064259);
   const Scalar RH_hipassembly_Sxx = RH_upperleg_Sxx_P + Scalar(0.031362338517);
-  const Scalar RH_hipassembly_Sxz_to_HFE =
+  const Scalar RH_hipassembly_Sxz_to_2RH_HFE =
       Scalar(0.021147817929) - RH_upperleg_Sxy * (Scalar(1.0) - Scalar(2.0) * s2_RH_HFE);
   const Scalar RH_hipassembly_Sxz =
-      RH_upperleg_Syy_minus_Sxx * sc_RH_HFE - (Scalar(0.08) * RH_hipassembly_hz_neg - RH_hipassembly_Sxz_to_HFE);
+      RH_upperleg_Syy_minus_Sxx * sc_RH_HFE - (Scalar(0.08) * RH_hipassembly_hz_neg - RH_hipassembly_Sxz_to_2RH_HFE);
 
   // link trunk: composite inertia
-  const Scalar LF_upperleg_Sxx_P = LF_hipassembly_Szz_to_HFE - (LF_upperleg_Sxx_neg - Scalar(0.16) * LF_upperleg_hx_P);
-  const Scalar trunk_Syy_to_P = LF_upperleg_Sxx_P + Scalar(0.026350838517);
-  const Scalar trunk_Syy_of_HAA = trunk_Syy_to_P * (s_LF_HAA * s_LF_HAA);
-  const Scalar trunk_Syy_to_P_2 = RF_upperleg_Sxx_P + Scalar(0.026350838517);
-  const Scalar trunk_Syy_of_HAA_2 = trunk_Syy_to_P_2 * (s_RF_HAA * s_RF_HAA);
-  const Scalar trunk_Syy_to_P_3 = LH_upperleg_Sxx_P + Scalar(0.026350838517);
-  const Scalar trunk_Syy_of_HAA_3 = trunk_Syy_to_P_3 * (s_LH_HAA * s_LH_HAA);
+  const Scalar LF_upperleg_Sxx_P =
+      LF_hipassembly_Szz_to_2LF_HFE - (LF_upperleg_Sxx_neg - Scalar(0.16) * LF_upperleg_hx_P);
+  const Scalar trunk_Syy_to_Sxx_P = LF_upperleg_Sxx_P + Scalar(0.026350838517);
+  const Scalar trunk_Syy_of_LF_HAA = trunk_Syy_to_Sxx_P * (s_LF_HAA * s_LF_HAA);
+  const Scalar trunk_Syy_to_Sxx_P_2 = RF_upperleg_Sxx_P + Scalar(0.026350838517);
+  const Scalar trunk_Syy_of_RF_HAA = trunk_Syy_to_Sxx_P_2 * (s_RF_HAA * s_RF_HAA);
+  const Scalar trunk_Syy_to_Sxx_P_3 = LH_upperleg_Sxx_P + Scalar(0.026350838517);
+  const Scalar trunk_Syy_of_LH_HAA = trunk_Syy_to_Sxx_P_3 * (s_LH_HAA * s_LH_HAA);
   const Scalar RH_hipassembly_Sxz_moved = RH_hipassembly_Sxz - Scalar(0.3735) * RH_hipassembly_hx;
   const Scalar RH_hipassembly_hz_P_neg = c_RH_HAA * RH_hipassembly_hx;
   H[87] = H[274] = RH_hipassembly_hz_P_neg;
   const Scalar RH_hipassembly_hy_P = s_RH_HAA * RH_hipassembly_hx;
   H[105] = H[275] = RH_hipassembly_hy_P;
-  const Scalar trunk_Syy_to_P_4 = RH_upperleg_Sxx_P + Scalar(0.026350838517);
-  const Scalar trunk_Syy_of_HAA_4 = trunk_Syy_to_P_4 * (s_RH_HAA * s_RH_HAA);
+  const Scalar trunk_Syy_to_Sxx_P_4 = RH_upperleg_Sxx_P + Scalar(0.026350838517);
+  const Scalar trunk_Syy_of_RH_HAA = trunk_Syy_to_Sxx_P_4 * (s_RH_HAA * s_RH_HAA);
   const Scalar RH_hipassembly_Sxz_P_neg = c_RH_HAA * RH_hipassembly_Sxz_moved;
   H[51] = H[272] = RH_hipassembly_Sxz_P_neg;
   const Scalar H_wy_RH_HAA_neg = s_RH_HAA * RH_hipassembly_Sxz_moved;
   H[33] = H[271] = -H_wy_RH_HAA_neg;
-  const Scalar trunk_hx_to_hz =
+  const Scalar trunk_hx_to_hz_3 =
       LH_hipassembly_hz_neg + (RF_hipassembly_hz_neg + (LF_hipassembly_hz_neg - Scalar(3.41376)));
-  const Scalar trunk_hx_neg = RH_hipassembly_hz_neg + trunk_hx_to_hz;
+  const Scalar trunk_hx_neg = RH_hipassembly_hz_neg + trunk_hx_to_hz_3;
   H[23] = H[91] = trunk_hx_neg;
   H[40] = H[74] = -trunk_hx_neg;
   const Scalar trunk_hy =
       RH_hipassembly_hy_P + (LH_hipassembly_hy_P + (RF_hipassembly_hy_P + (LF_hipassembly_hy_P + Scalar(1.31064))));
   H[5] = H[90] = trunk_hy;
   H[39] = H[56] = -trunk_hy;
-  const Scalar trunk_hz_to_P =
+  const Scalar trunk_hz_to_hz_P_3 =
       LH_hipassembly_hz_P_neg + (RF_hipassembly_hz_P_neg + (LF_hipassembly_hz_P_neg - Scalar(0.2182368)));
-  const Scalar trunk_hz_neg = RH_hipassembly_hz_P_neg + trunk_hz_to_P;
+  const Scalar trunk_hz_neg = RH_hipassembly_hz_P_neg + trunk_hz_to_hz_P_3;
   H[4] = H[72] = trunk_hz_neg;
   H[21] = H[55] = -trunk_hz_neg;
-  const Scalar trunk_Sxx_to_hz =
-      Scalar(0.747) * RF_hipassembly_hz_neg + (Scalar(0.747) * LF_hipassembly_hz_neg - Scalar(7.811352708492));
   const Scalar trunk_Sxx_to_hz_2 =
-      Scalar(0.747) * RH_hipassembly_hz_neg + (Scalar(0.747) * LH_hipassembly_hz_neg - trunk_Sxx_to_hz);
+      Scalar(0.747) * RF_hipassembly_hz_neg + (Scalar(0.747) * LF_hipassembly_hz_neg - Scalar(7.811352708492));
+  const Scalar trunk_Sxx_to_hz_4 =
+      Scalar(0.747) * RH_hipassembly_hz_neg + (Scalar(0.747) * LH_hipassembly_hz_neg - trunk_Sxx_to_hz_2);
   const Scalar trunk_Sxx =
-      RH_hipassembly_Szz + (LH_hipassembly_Szz + (RF_hipassembly_Szz + (LF_hipassembly_Szz + trunk_Sxx_to_hz_2)));
-  const Scalar trunk_Sxy_to_hz =
-      Scalar(0.207) * RF_hipassembly_hz_neg - (Scalar(0.207) * LF_hipassembly_hz_neg - Scalar(0.07339584));
+      RH_hipassembly_Szz + (LH_hipassembly_Szz + (RF_hipassembly_Szz + (LF_hipassembly_Szz + trunk_Sxx_to_hz_4)));
   const Scalar trunk_Sxy_to_hz_2 =
-      Scalar(0.207) * RH_hipassembly_hz_neg - (Scalar(0.207) * LH_hipassembly_hz_neg - trunk_Sxy_to_hz);
-  H[1] = H[18] = -(H_wy_RH_HAA_neg + (H_wy_LH_HAA_neg + (H_wy_RF_HAA_neg + (H_wy_LF_HAA_neg + trunk_Sxy_to_hz_2))));
-  const Scalar trunk_Sxz_to_P =
+      Scalar(0.207) * RF_hipassembly_hz_neg - (Scalar(0.207) * LF_hipassembly_hz_neg - Scalar(0.07339584));
+  const Scalar trunk_Sxy_to_hz_4 =
+      Scalar(0.207) * RH_hipassembly_hz_neg - (Scalar(0.207) * LH_hipassembly_hz_neg - trunk_Sxy_to_hz_2);
+  H[1] = H[18] = -(H_wy_RH_HAA_neg + (H_wy_LH_HAA_neg + (H_wy_RF_HAA_neg + (H_wy_LF_HAA_neg + trunk_Sxy_to_hz_4))));
+  const Scalar trunk_Sxz_to_Sxz_P_3 =
       LH_hipassembly_Sxz_P_neg + (RF_hipassembly_Sxz_P_neg + (LF_hipassembly_Sxz_P_neg - Scalar(0.0122212608)));
-  H[2] = H[36] = RH_hipassembly_Sxz_P_neg + trunk_Sxz_to_P;
-  const Scalar trunk_Syy_to_P_5 =
+  H[2] = H[36] = RH_hipassembly_Sxz_P_neg + trunk_Sxz_to_Sxz_P_3;
+  const Scalar trunk_Syy_to_hy_P_3 =
       Scalar(0.414) * RF_hipassembly_hy_P - (Scalar(0.414) * LF_hipassembly_hy_P + Scalar(2.423557564));
-  const Scalar trunk_Syy_to_P_7 =
-      Scalar(0.414) * RH_hipassembly_hy_P - (Scalar(0.414) * LH_hipassembly_hy_P - trunk_Syy_to_P_5);
+  const Scalar trunk_Syy_to_hy_P =
+      Scalar(0.414) * RH_hipassembly_hy_P - (Scalar(0.414) * LH_hipassembly_hy_P - trunk_Syy_to_hy_P_3);
   const Scalar trunk_Syy =
-      trunk_Syy_of_HAA_4 + (trunk_Syy_of_HAA_3 + (trunk_Syy_of_HAA_2 + (trunk_Syy_of_HAA - trunk_Syy_to_P_7)));
-  const Scalar trunk_Syz_to_P =
+      trunk_Syy_of_RH_HAA + (trunk_Syy_of_LH_HAA + (trunk_Syy_of_RF_HAA + (trunk_Syy_of_LF_HAA - trunk_Syy_to_hy_P)));
+  const Scalar trunk_Syz_to_hz_P_2 =
       Scalar(0.207) * RF_hipassembly_hz_P_neg - (Scalar(0.207) * LF_hipassembly_hz_P_neg - Scalar(0.0046920912));
-  const Scalar trunk_Syz_to_P_3 =
-      Scalar(0.207) * RH_hipassembly_hz_P_neg - (Scalar(0.207) * LH_hipassembly_hz_P_neg - trunk_Syz_to_P);
-  const Scalar trunk_Syz_to_HAA =
-      trunk_Syy_to_P_2 * (c_RF_HAA * s_RF_HAA) + (trunk_Syy_to_P * (c_LF_HAA * s_LF_HAA) - trunk_Syz_to_P_3);
-  H[20] = H[37] =
-      trunk_Syy_to_P_4 * (c_RH_HAA * s_RH_HAA) + (trunk_Syy_to_P_3 * (c_LH_HAA * s_LH_HAA) + trunk_Syz_to_HAA);
+  const Scalar trunk_Syz_to_hz_P_4 =
+      Scalar(0.207) * RH_hipassembly_hz_P_neg - (Scalar(0.207) * LH_hipassembly_hz_P_neg - trunk_Syz_to_hz_P_2);
+  const Scalar trunk_Syz_to_RF_HAA =
+      trunk_Syy_to_Sxx_P_2 * (c_RF_HAA * s_RF_HAA) + (trunk_Syy_to_Sxx_P * (c_LF_HAA * s_LF_HAA) - trunk_Syz_to_hz_P_4);
+  const Scalar trunk_Syz_to_LH_HAA = trunk_Syy_to_Sxx_P_3 * (c_LH_HAA * s_LH_HAA) + trunk_Syz_to_RF_HAA;
+  H[20] = H[37] = trunk_Syy_to_Sxx_P_4 * (c_RH_HAA * s_RH_HAA) + trunk_Syz_to_LH_HAA;
   const Scalar trunk_Szz_to_Sxx =
       RH_hipassembly_Sxx + (LH_hipassembly_Sxx + (RF_hipassembly_Sxx + (LF_upperleg_Sxx_P + Scalar(0.349643626261))));
   const Scalar trunk_Szz_neg =
-      trunk_Syy_of_HAA_4 + (trunk_Syy_of_HAA_3 + (trunk_Syy_of_HAA_2 + (trunk_Syy_of_HAA - trunk_Szz_to_Sxx)));
+      trunk_Syy_of_RH_HAA + (trunk_Syy_of_LH_HAA + (trunk_Syy_of_RF_HAA + (trunk_Syy_of_LF_HAA - trunk_Szz_to_Sxx)));
 
   // link LF_hipassembly: column of joint LF_HAA
   const Scalar H_LF_HAA_LF_HAA = LF_upperleg_Sxx_P + Scalar(0.036373838517);
@@ -429,7 +438,7 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   H[6] = H[108] = H_LF_HAA_LF_HAA + Scalar(0.207) * LF_hipassembly_hy_P;
 
   // link LF_upperleg: column of joint LF_HFE
-  const Scalar H_LF_HFE_LF_HFE = LF_upperleg_Sxx_of_KFE_2 + Scalar(0.2217141934038);
+  const Scalar H_LF_HFE_LF_HFE = LF_upperleg_Sxx_of_LF_KFE_2 + Scalar(0.2217141934038);
   H[133] = H_LF_HFE_LF_HFE;
   const Scalar H_wz_LF_HFE_to_hz =
       Scalar(0.3735) * LF_hipassembly_hz_neg - (H_LF_HFE_LF_HFE + Scalar(0.08) * LF_upperleg_hx_P);
@@ -461,7 +470,7 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   H[9] = H[162] = H_RF_HAA_RF_HAA - Scalar(0.207) * RF_hipassembly_hy_P;
 
   // link RF_upperleg: column of joint RF_HFE
-  const Scalar H_RF_HFE_RF_HFE = RF_upperleg_Sxx_of_KFE_2 + Scalar(0.2217141934038);
+  const Scalar H_RF_HFE_RF_HFE = RF_upperleg_Sxx_of_RF_KFE_2 + Scalar(0.2217141934038);
   H[190] = H_RF_HFE_RF_HFE;
   const Scalar H_wz_RF_HFE_to_hz =
       Scalar(0.3735) * RF_hipassembly_hz_neg - (H_RF_HFE_RF_HFE + Scalar(0.08) * RF_upperleg_hx_P);
@@ -493,7 +502,7 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   H[12] = H[216] = H_LH_HAA_LH_HAA + Scalar(0.207) * LH_hipassembly_hy_P;
 
   // link LH_upperleg: column of joint LH_HFE
-  const Scalar H_LH_HFE_LH_HFE = LH_upperleg_Sxx_of_KFE_2 + Scalar(0.2217141934038);
+  const Scalar H_LH_HFE_LH_HFE = LH_upperleg_Sxx_of_LH_KFE_2 + Scalar(0.2217141934038);
   H[247] = H_LH_HFE_LH_HFE;
   const Scalar H_wz_LH_HFE_to_hz =
       Scalar(0.3735) * LH_hipassembly_hz_neg + (H_LH_HFE_LH_HFE + Scalar(0.08) * LH_upperleg_hx_P);
@@ -525,7 +534,7 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   H[15] = H[270] = H_RH_HAA_RH_HAA - Scalar(0.207) * RH_hipassembly_hy_P;
 
   // link RH_upperleg: column of joint RH_HFE
-  const Scalar H_RH_HFE_RH_HFE = RH_upperleg_Sxx_of_KFE_2 + Scalar(0.2217141934038);
+  const Scalar H_RH_HFE_RH_HFE = RH_upperleg_Sxx_of_RH_KFE_2 + Scalar(0.2217141934038);
   H[304] = H_RH_HFE_RH_HFE;
   const Scalar H_wz_RH_HFE_to_hz =
       Scalar(0.3735) * RH_hipassembly_hz_neg + (H_RH_HFE_RH_HFE + Scalar(0.08) * RH_upperleg_hx_P);
@@ -550,7 +559,7 @@ void joint_space_inertia(const Scalar* /*q*/, const Scalar* sin_q, const Scalar*
   H[35] = H[307] = c_RH_HAA * H_wz_RH_KFE_to_fx;
   H[17] = H[306] = Scalar(-0.207) * H_vz_RH_KFE;
   H[53] = H[308] = s_RH_HAA * H_wz_RH_KFE_to_fx + Scalar(0.207) * RH_KFE_RH_hipassembly_fz;
-  H[0] = trunk_Szz_to_Sxx - trunk_Syy_to_P_7;
+  H[0] = trunk_Szz_to_Sxx - trunk_Syy_to_hy_P;
   H[19] = trunk_Sxx - trunk_Szz_neg;
   H[38] = trunk_Sxx + trunk_Syy;
 
@@ -692,49 +701,50 @@ template <class Scalar>
   const Scalar trunk_t5 = upperleg_Sxx_P_sum + Scalar(0.443730641812);
 
   // link hipassembly of LF, RF, LH, RH: column of joint HAA
-  const Lanes4 H_HAA = upperleg_Sxx_P + Lanes4(Scalar(0.036373838517));
-  H[114] = H_HAA[0];
-  H[171] = H_HAA[1];
-  H[228] = H_HAA[2];
-  H[285] = H_HAA[3];
-  const Lanes4 H_wx_HAA = H_HAA + hipassembly_hy_P * trunk_Sxy_lanes;
+  const Lanes4 H_HAA_HAA = upperleg_Sxx_P + Lanes4(Scalar(0.036373838517));
+  H[114] = H_HAA_HAA[0];
+  H[171] = H_HAA_HAA[1];
+  H[228] = H_HAA_HAA[2];
+  H[285] = H_HAA_HAA[3];
+  const Lanes4 H_wx_HAA = H_HAA_HAA + hipassembly_hy_P * trunk_Sxy_lanes;
   robcogen::store_lanes<54>(
       &H[108], H_wx_HAA, -H_wy_HAA_neg, hipassembly_Sxz_P_neg, Lanes4(Scalar(0.0)), hipassembly_hz_P_neg,
       hipassembly_hy_P);
 
   // link upperleg of LF, RF, LH, RH: column of joint HFE
-  const Lanes4 H_HFE = upperleg_Sxx_of_KFE_2 + Lanes4(Scalar(0.2217141934038));
-  const Lanes4 H_wz_to_P = hipassembly_hz_neg * hipassembly_Sxz_P_lanes - H_HFE - Lanes4(Scalar(0.08)) * upperleg_hx_P;
+  const Lanes4 H_HFE_HFE = upperleg_Sxx_of_KFE_2 + Lanes4(Scalar(0.2217141934038));
+  const Lanes4 H_wz_HFE_to_hx_P =
+      hipassembly_hz_neg * hipassembly_Sxz_P_lanes - H_HFE_HFE - Lanes4(Scalar(0.08)) * upperleg_hx_P;
   const Lanes4 H_vz_HFE = c_q_HAA * hipassembly_hz_neg;
   const Lanes4 H_vy_HFE_neg = s_q_HAA * hipassembly_hz_neg;
-  const Lanes4 H_wy = c_q_HAA * H_wz_to_P;
-  const Lanes4 H_wx = trunk_Sxy_lanes * H_vz_HFE;
-  const Lanes4 H_wz = s_q_HAA * H_wz_to_P - upperleg_hx_P * trunk_Sxy_lanes;
-  robcogen::store_lanes<54>(&H[126], H_wx, -H_wy, -H_wz, -upperleg_hx_P, -H_vy_HFE_neg, H_vz_HFE);
+  const Lanes4 H_wy_HFE = c_q_HAA * H_wz_HFE_to_hx_P;
+  const Lanes4 H_wx_HFE = trunk_Sxy_lanes * H_vz_HFE;
+  const Lanes4 H_wz_HFE = s_q_HAA * H_wz_HFE_to_hx_P - upperleg_hx_P * trunk_Sxy_lanes;
+  robcogen::store_lanes<54>(&H[126], H_wx_HFE, -H_wy_HFE, -H_wz_HFE, -upperleg_hx_P, -H_vy_HFE_neg, H_vz_HFE);
 
   // link lowerleg of LF, RF, LH, RH: column of joint KFE
-  const Lanes4 H_KFE = Lanes4(Scalar(0.03866709)) * c_q_KFE + Lanes4(Scalar(0.02193686596));
-  H[151] = H_KFE[0];
-  H[208] = H_KFE[1];
-  H[265] = H_KFE[2];
-  H[322] = H_KFE[3];
-  robcogen::store_lanes<57>(&H[133], H_HFE, H_KFE);
-  const Lanes4 hipassembly_fx_neg = c_q_HFE * lowerleg_hy_P + s_q_HFE * lowerleg_hx_P;
-  const Lanes4 hipassembly_fz = s_q_HFE * lowerleg_hy_P - c_q_HFE * lowerleg_hx_P;
-  robcogen::store_lanes<3>(&H[61], -upperleg_hx_P, hipassembly_fz);
-  const Lanes4 H_wz_2_to_fz =
-      hipassembly_Sxz_P_lanes * hipassembly_fx_neg - H_KFE + Lanes4(Scalar(0.08)) * hipassembly_fz;
-  const Lanes4 H_vz_KFE = c_q_HAA * hipassembly_fx_neg;
+  const Lanes4 H_HFE_KFE = Lanes4(Scalar(0.03866709)) * c_q_KFE + Lanes4(Scalar(0.02193686596));
+  H[151] = H_HFE_KFE[0];
+  H[208] = H_HFE_KFE[1];
+  H[265] = H_HFE_KFE[2];
+  H[322] = H_HFE_KFE[3];
+  robcogen::store_lanes<57>(&H[133], H_HFE_HFE, H_HFE_KFE);
+  const Lanes4 KFE_hipassembly_fx_neg = c_q_HFE * lowerleg_hy_P + s_q_HFE * lowerleg_hx_P;
+  const Lanes4 KFE_hipassembly_fz = s_q_HFE * lowerleg_hy_P - c_q_HFE * lowerleg_hx_P;
+  robcogen::store_lanes<3>(&H[61], -upperleg_hx_P, KFE_hipassembly_fz);
+  const Lanes4 H_wz_KFE_to_fz =
+      hipassembly_Sxz_P_lanes * KFE_hipassembly_fx_neg - H_HFE_KFE + Lanes4(Scalar(0.08)) * KFE_hipassembly_fz;
+  const Lanes4 H_vz_KFE = c_q_HAA * KFE_hipassembly_fx_neg;
   robcogen::store_lanes<3>(&H[96], hipassembly_hy_P, H_vz_HFE, H_vz_KFE);
-  const Lanes4 H_vy_KFE_neg = s_q_HAA * hipassembly_fx_neg;
+  const Lanes4 H_vy_KFE_neg = s_q_HAA * KFE_hipassembly_fx_neg;
   robcogen::store_lanes<3>(&H[78], hipassembly_hz_P_neg, -H_vy_HFE_neg, -H_vy_KFE_neg);
-  const Lanes4 H_wy_2 = c_q_HAA * H_wz_2_to_fz;
-  robcogen::store_lanes<3>(&H[24], -H_wy_HAA_neg, -H_wy, -H_wy_2);
-  const Lanes4 H_wx_2 = trunk_Sxy_lanes * H_vz_KFE;
-  robcogen::store_lanes<3>(&H[6], H_wx_HAA, H_wx, H_wx_2);
-  const Lanes4 H_wz_2 = trunk_Sxy_lanes * hipassembly_fz + s_q_HAA * H_wz_2_to_fz;
-  robcogen::store_lanes<3>(&H[42], hipassembly_Sxz_P_neg, -H_wz, -H_wz_2);
-  robcogen::store_lanes<54>(&H[144], H_wx_2, -H_wy_2, -H_wz_2, hipassembly_fz, -H_vy_KFE_neg, H_vz_KFE);
+  const Lanes4 H_wy_KFE = c_q_HAA * H_wz_KFE_to_fz;
+  robcogen::store_lanes<3>(&H[24], -H_wy_HAA_neg, -H_wy_HFE, -H_wy_KFE);
+  const Lanes4 H_wx_KFE = trunk_Sxy_lanes * H_vz_KFE;
+  robcogen::store_lanes<3>(&H[6], H_wx_HAA, H_wx_HFE, H_wx_KFE);
+  const Lanes4 H_wz_KFE = trunk_Sxy_lanes * KFE_hipassembly_fz + s_q_HAA * H_wz_KFE_to_fz;
+  robcogen::store_lanes<3>(&H[42], hipassembly_Sxz_P_neg, -H_wz_HFE, -H_wz_KFE);
+  robcogen::store_lanes<54>(&H[144], H_wx_KFE, -H_wy_KFE, -H_wz_KFE, KFE_hipassembly_fz, -H_vy_KFE_neg, H_vz_KFE);
 
   // link RH_lowerleg: column of joint RH_KFE
   H[0] = trunk_t5 + trunk_t4;
