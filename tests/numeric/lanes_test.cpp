@@ -216,11 +216,11 @@ void expect_same_of_given_sines(const KinematicTree& tree, const Program& progra
     joints.push_back({joint.name, model::turns(joint.type)});
   }
   const pass::SplitAngles split = pass::split_angles({{program, &packed}}, joints);
-  if (!split.parts[0]) return;
-  const Program& core = *split.parts[0]->core_in_lanes;
+  if (!split.cores[0]) return;
+  const Program& core = *split.cores[0]->in_lanes;
   ASSERT_EQ(symbolic::verify(core), "") << program.name;
   // A joint that follows another one by a factor has a sine of its own.
-  const bool has_others = symbolic::cost(split.parts[0]->core).sincos > 0;
+  const bool has_others = symbolic::cost(split.cores[0]->program).sincos > 0;
   EXPECT_EQ(symbolic::cost(core).sincos > 0, has_others) << program.name;
   EXPECT_TRUE(!has_others || !tree.couplings.empty()) << program.name;
   symbolic::Arrays<double> inputs = random_inputs(program, 2);

@@ -158,7 +158,7 @@ Functions split_angles(const Robot& robot, Functions functions) {
     positions.push_back({joint.name, model::turns(joint.type)});
   }
   pass::SplitAngles split = pass::split_angles(programs, positions);
-  for (std::size_t i = 0; i < programs.size(); ++i) functions.list[i].parts = std::move(split.parts[i]);
+  for (std::size_t i = 0; i < programs.size(); ++i) functions.list[i].core = std::move(split.cores[i]);
   functions.trigonometry = {
       split.angle_count, std::move(split.angles),
       function_of(

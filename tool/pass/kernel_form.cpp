@@ -57,12 +57,12 @@ bool takes_single_states(const Program& program) {
 KernelForm kernel_form(const Function& f, const GroupTraits& group) {
   const auto is_small = [](const Program& program, int limit) { return symbolic::cost(program).instructions <= limit; };
   KernelForm form;
-  form.calls_sines = group.is_kinematics && f.parts && f.parts->read.size() > kInVector;
-  if (f.parts && !form.calls_sines) {
-    form.inlines_core = is_small(f.parts->core, kSmallCore);
-    form.inlines_core_in_lanes = f.parts->core_in_lanes && is_small(*f.parts->core_in_lanes, kSmallCore);
+  form.calls_sines = group.is_kinematics && f.core && f.core->read.size() > kInVector;
+  if (f.core && !form.calls_sines) {
+    form.inlines_core = is_small(f.core->program, kSmallCore);
+    form.inlines_core_in_lanes = f.core->in_lanes && is_small(*f.core->in_lanes, kSmallCore);
   }
-  form.has_own_lanes = f.in_lanes && (!f.parts || is_small(*f.in_lanes, kSmallInLanes));
+  form.has_own_lanes = f.in_lanes && (!f.core || is_small(*f.in_lanes, kSmallInLanes));
   form.has_small_angles = form.has_own_lanes && has_small_angles(*f.in_lanes);
   form.gains_by_level = (group.is_default || !group.is_kinematics) && gains_by_level(f);
   form.takes_single_states = takes_single_states(f.program);

@@ -104,18 +104,18 @@ SplitAngles split_angles(const std::vector<WithLanes>& programs, const std::vect
   SplitAngles result;
   result.angle_count = angles.count();
   const InputArray sines = angles.sines(), cosines = angles.cosines();
-  result.parts.resize(programs.size());
+  result.cores.resize(programs.size());
   for_each_index(programs.size(), [&](std::size_t i) {
-    std::optional<symbolic::AngleParts>& parts = result.parts[i];
+    std::optional<symbolic::Core>& core = result.cores[i];
     std::set<int> read = angles_read(readings[i]);
     read.merge(angles_read(readings_in_lanes[i]));
     if (read.empty()) return;
     const auto& [program, in_lanes] = programs[i];
-    parts.emplace();
-    parts->core = Core(program, readings[i], sines, cosines).run();
-    if (in_lanes) parts->core_in_lanes = Core(*in_lanes, readings_in_lanes[i], sines, cosines).run();
-    parts->read = {read.begin(), read.end()};
-    parts->angles = angles.program("angles_" + program.name, parts->read);
+    core.emplace();
+    core->program = Core(program, readings[i], sines, cosines).run();
+    if (in_lanes) core->in_lanes = Core(*in_lanes, readings_in_lanes[i], sines, cosines).run();
+    core->read = {read.begin(), read.end()};
+    core->angles = angles.program("angles_" + program.name, core->read);
   });
   std::vector<int> all;
   for (int k = 0; k < angles.count(); ++k) all.push_back(k);

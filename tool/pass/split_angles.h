@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "pass/angle_sums.h"
-#include "symbolic/angle_parts.h"
+#include "symbolic/core.h"
 
 namespace robcogen::pass {
 
 struct SplitAngles {
   // By program; nullopt for a program that reads no sine or cosine of such angles.
-  std::vector<std::optional<symbolic::AngleParts>> parts;
+  std::vector<std::optional<symbolic::Core>> cores;
   int angle_count = 0;
   symbolic::Program angles;    // [parameters,] q -> all angles
   symbolic::Program addition;  // [parameters,] sin_joint, cos_joint -> sin_q, cos_q of all angles

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "symbolic/accuracy.h"
-#include "symbolic/angle_parts.h"
+#include "symbolic/core.h"
 #include "symbolic/derivative.h"
 #include "symbolic/kernel_form.h"
 #include "symbolic/program.h"
@@ -43,7 +43,7 @@ struct Function {
   std::vector<DerivativeBlock> derivatives = {};  // blocks of its outputs, to be checked by differences
 
   // Set for languages whose functions take precomputed sines and cosines, if the program reads any.
-  std::optional<AngleParts> parts = {};
+  std::optional<Core> core = {};
   // Set for languages with vectors: the same program with congruent limbs in lanes, if there is one, and a text for
   // each class of congruent limbs.
   std::optional<Program> in_lanes = {};

@@ -13,7 +13,8 @@ TEST(Lua, PrintsAFunctionOfALibrary) {
   library.functions = {test::function(
       "inverse_dynamics", "inverse_dynamics",
       test::leg_program(
-          "tmp s = sin q[0]\nlet hip_w = s * qd[0]\nin 1\nlet end = hip_w - 0.5\ntmp t = end * end\nreturn tau t "
+          "tmp s = sin q[0]\nlet hip_w = s * qd[0]\nin 1\nlet end = hip_w - 0.5\nlet square = end * end\nreturn tau "
+          "square "
           "hip_w\n",
           2))};
   const std::vector<OutputFile> files = lua::print(library);

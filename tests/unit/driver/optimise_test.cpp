@@ -69,7 +69,7 @@ TEST(Optimise, LanguagesThatTakeSinesGetThem) {
   EXPECT_GT(symbolic::cost(without.list.at(0).program).sincos, 0);
   ASSERT_TRUE(with.trigonometry);
   EXPECT_GE(with.trigonometry->angle_count, 2);  // at least one for each joint
-  EXPECT_TRUE(with.list.at(0).parts);
+  EXPECT_TRUE(with.list.at(0).core);
 }
 
 TEST(Optimise, ParametersAreSplitOffWhereALanguageCachesThem) {

@@ -34,9 +34,9 @@ Program fused(int count) {
 
 Function with_core(int instructions, std::vector<int> angles) {
   Function f = test::function("dynamics", "dynamics", products(1));
-  f.parts.emplace();
-  f.parts->core = products(instructions);
-  f.parts->read = std::move(angles);
+  f.core.emplace();
+  f.core->program = products(instructions);
+  f.core->read = std::move(angles);
   return f;
 }
 
@@ -47,7 +47,7 @@ TEST(KernelForm, ShortCoresAreCompiledIntoTheirCallers) {
 
 TEST(KernelForm, EachCoreIsMeasuredByItself) {
   Function f = with_core(65, {0});
-  f.parts->core_in_lanes = products(64);
+  f.core->in_lanes = products(64);
   EXPECT_FALSE(kernel_form(f, {}).inlines_core);
   EXPECT_TRUE(kernel_form(f, {}).inlines_core_in_lanes);
 }
@@ -69,7 +69,7 @@ TEST(KernelForm, LongProgramsInLanesCallACoreInLanes) {
   EXPECT_TRUE(kernel_form(f, {}).has_own_lanes);
   f.in_lanes = products(513);
   EXPECT_FALSE(kernel_form(f, {}).has_own_lanes);
-  f.parts.reset();  // there is no core
+  f.core.reset();  // there is no core
   EXPECT_TRUE(kernel_form(f, {}).has_own_lanes);
 }
 

@@ -59,7 +59,7 @@ Trigonometry added(const SplitAngles& split) {
 
 std::vector<double> run_core(const SplitAngles& split, const Trigonometry& all) {
   return run(
-      split.parts[0]->core,
+      split.cores[0]->program,
       {{"p", kParameters}, {"q", kPositions}, {"v", kSpeeds}, {"sin_q", all.sine}, {"cos_q", all.cosine}}, "out");
 }
 
@@ -80,10 +80,10 @@ TEST(SplitAngles, TakesSinesOfJoints) {
   const Program program =
       with("tmp s = sin q[2]\ntmp c = cos -q[1]\ntmp x = s * v[1]\ntmp y = x + c\ntmp z = q[0] * c\n", "y -z");
   const SplitAngles split = split_angles({{program}}, kJoints);
-  ASSERT_TRUE(split.parts[0]);
+  ASSERT_TRUE(split.cores[0]);
   EXPECT_EQ(split.angle_count, 3);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 2}));
-  const Program& core = split.parts[0]->core;
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{1, 2}));
+  const Program& core = split.cores[0]->program;
   EXPECT_EQ(symbolic::cost(core).sincos, 0);
   ASSERT_EQ(core.inputs.size(), 5u);
   EXPECT_EQ(core.inputs[1].name, "q");
@@ -101,8 +101,8 @@ TEST(SplitAngles, AddsTheoremsForSums) {
       "y z");
   const SplitAngles split = split_angles({{program}}, kJoints);
   EXPECT_EQ(split.angle_count, 6);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4, 5}));
-  const std::vector<std::string> labels = split.parts[0]->core.inputs[2].elements;
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{3, 4, 5}));
+  const std::vector<std::string> labels = split.cores[0]->program.inputs[2].elements;
   EXPECT_EQ(labels[3], "s_hip_knee_turned");
   EXPECT_EQ(labels[4], "s_knee_turned");
   EXPECT_EQ(labels[5], "s_hip_knee");
@@ -126,7 +126,7 @@ TEST(SplitAngles, SumsMayHoldParameters) {
   const Program program =
       with("tmp turned = q[1] + p[0]\ntmp s = sin turned\ntmp c = cos q[1]\ntmp x = c * p[1]\n", "s x");
   const SplitAngles split = split_angles({{program}}, kJoints);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1, 3}));
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{1, 3}));
   expect_same(program, split);
 }
 
@@ -135,19 +135,19 @@ TEST(SplitAngles, ProgramsShareAngles) {
   const Program first = with("tmp a = q[1] + q[2]\ntmp s = sin a\n", "s s");
   const Program second = with("tmp a = q[2] + q[1]\ntmp b = q[0] + q[1]\ntmp s = cos a\ntmp t = sin b\n", "s t");
   const SplitAngles split = split_angles({{first}, {second}}, kJoints);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3}));
-  EXPECT_EQ(split.parts[1]->read, (std::vector<int>{3, 4}));
-  EXPECT_EQ(split.parts[0]->core.inputs[2].elements.size(), 5u);
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{3}));
+  EXPECT_EQ(split.cores[1]->read, (std::vector<int>{3, 4}));
+  EXPECT_EQ(split.cores[0]->program.inputs[2].elements.size(), 5u);
 }
 
 // Angles that no theorem covers stay: angles of other inputs, products of positions, sines of parameters alone.
 TEST(SplitAngles, LeavesTheRest) {
   const Program others = with("tmp s = sin v[1]\ntmp c = cos p[0]\n", "s c");
-  EXPECT_FALSE(split_angles({{others}}, kJoints).parts[0]);
+  EXPECT_FALSE(split_angles({{others}}, kJoints).cores[0]);
   const Program twice = with("tmp d = q[1] * 3\ntmp s = sin d\ntmp c = cos q[1]\n", "s c");
   const SplitAngles split = split_angles({{twice}}, kJoints);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
-  EXPECT_EQ(symbolic::cost(split.parts[0]->core).sincos, 1);
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{1}));
+  EXPECT_EQ(symbolic::cost(split.cores[0]->program).sincos, 1);
   expect_same(twice, split);
 }
 
@@ -155,7 +155,7 @@ TEST(SplitAngles, LeavesTheRest) {
 TEST(SplitAngles, LeavesWhatTurnsByASlide) {
   const Program turns = with("tmp s = sin q[0]\ntmp c = cos q[1]\n", "s c");
   const SplitAngles split = split_angles({{turns}}, {{"slide", false}, {"hip"}, {"knee"}});
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{1}));
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{1}));
   expect_same(turns, split);
 }
 
@@ -168,8 +168,8 @@ TEST(SplitAngles, LanesAreGathered) {
       "tmp z = x@0 + s@1\n",
       "z x@1");
   const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
-  ASSERT_TRUE(split.parts[0]->core_in_lanes);
-  const Program& core = *split.parts[0]->core_in_lanes;
+  ASSERT_TRUE(split.cores[0]->in_lanes);
+  const Program& core = *split.cores[0]->in_lanes;
   EXPECT_EQ(symbolic::verify(core), "");
   EXPECT_EQ(
       symbolic::print(core),
@@ -191,9 +191,9 @@ TEST(SplitAngles, LanesOfSumsAreAnglesOfTheirOwn) {
       "tmp s = sin a\ntmp c = cos a\ntmp x = c@1 - s@1\n",
       "s@0 x");
   const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
-  EXPECT_EQ(split.parts[0]->read, (std::vector<int>{3, 4}));
+  EXPECT_EQ(split.cores[0]->read, (std::vector<int>{3, 4}));
   EXPECT_EQ(split.angle_count, 5);
-  const Program& core = *split.parts[0]->core_in_lanes;
+  const Program& core = *split.cores[0]->in_lanes;
   EXPECT_EQ(symbolic::cost(core).sincos, 0);
   const Trigonometry all = computed(split);
   const std::vector<double> found = run(
@@ -207,8 +207,8 @@ TEST(SplitAngles, LanesStayTogether) {
   const Program program = with("tmp s = sin v[1]\ntmp t = sin q[1]\n", "s t");
   const Program in_lanes = with("tmp a = gather v[1] q[1]\ntmp s = sin a\n", "s@0 s@1");
   const SplitAngles split = split_angles({{program, &in_lanes}}, kJoints);
-  EXPECT_EQ(symbolic::cost(*split.parts[0]->core_in_lanes).sincos, 1);
-  EXPECT_EQ(split.parts[0]->read, std::vector<int>{1});
+  EXPECT_EQ(symbolic::cost(*split.cores[0]->in_lanes).sincos, 1);
+  EXPECT_EQ(split.cores[0]->read, std::vector<int>{1});
 }
 
 TEST(SplitAngles, NoProgramsNoSums) {

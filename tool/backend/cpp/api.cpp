@@ -173,7 +173,7 @@ Callable callable(
   if (returns_own_structure(f.program) && !f.scope.empty())
     result.result = name_of_structure(last_of(f.scope)) + "_" + name;
   result.parameters = parameters(f.program);
-  if (f.parts) result.core_parameters = parameters(f.parts->core);
+  if (f.core) result.core_parameters = parameters(f.core->program);
   result.count = symbolic::cost(f.program);
   return result;
 }
@@ -337,7 +337,7 @@ Overload with_sines(const Api& api, const Overload& plain) {
       result.arguments[a] = {kTrigonometryType, kTrigonometryName};
       const std::string at = kTrigonometryName;
       std::vector<std::string> inputs = {at + ".q().data()"};
-      if (plain.callable->function->parts) inputs.insert(inputs.end(), {at + ".sin_data()", at + ".cos_data()"});
+      if (plain.callable->function->core) inputs.insert(inputs.end(), {at + ".sin_data()", at + ".cos_data()"});
       if (!plain.adds_standard_gravity) {
         const auto place = result.inputs.erase(result.inputs.begin() + static_cast<std::ptrdiff_t>(i));
         result.inputs.insert(place, inputs.begin(), inputs.end());

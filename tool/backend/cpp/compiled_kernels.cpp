@@ -36,7 +36,7 @@ std::vector<KernelArray> trigonometry_parameters(const Library& library) {
 std::vector<CompiledKernel> compiled_kernels(const Api& api, const std::string& group) {
   std::vector<CompiledKernel> result;
   for (const Callable* c : kernels_of(api, group)) {
-    if (c->function->parts) result.push_back({c->kernel, true, c->core_parameters, c});
+    if (c->function->core) result.push_back({c->kernel, true, c->core_parameters, c});
     result.push_back({c->kernel, false, c->parameters, c});
   }
   if (group == kTrigonometry && api.takes_sines())

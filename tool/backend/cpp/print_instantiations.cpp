@@ -29,7 +29,7 @@ std::string print_kernel_declarations(const Api& api, const std::string& path) {
        {&api.right_sides, &api.callables, &api.updates, &api.numbers, &api.trigonometry}) {
     for (const Callable& c : *list) {
       kernels += signature("void " + c.kernel, c.parameters, " noexcept;");
-      if (c.function->parts) cores += signature("void " + c.kernel, c.core_parameters, " noexcept;");
+      if (c.function->core) cores += signature("void " + c.kernel, c.core_parameters, " noexcept;");
     }
   }
   if (api.takes_sines())

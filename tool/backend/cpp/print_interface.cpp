@@ -35,7 +35,7 @@ bool is_scalar(const symbolic::OutputArray& output) {
 }
 
 std::string kernel_of(const Overload& overload) {
-  const bool is_core = overload.takes_sines && overload.callable->function->parts;
+  const bool is_core = overload.takes_sines && overload.callable->function->core;
   return std::string(is_core ? "kernel::core::" : "kernel::") + overload.callable->kernel;
 }
 

@@ -166,17 +166,17 @@ std::string print_both(
 }
 
 std::string print_core(const Callable& callable) {
-  const auto& [core, in_lanes, read, angles] = *callable.function->parts;
-  const auto print = [&](const std::string& remarks, const symbolic::Program& program, bool is_inline) {
-    const Kernel kernel = lower(program, callable.kernel);
-    const std::string comments = remarks + comment(counts(program));
+  const auto& [program, in_lanes, read, angles] = *callable.function->core;
+  const auto print = [&](const std::string& remarks, const symbolic::Program& printed, bool is_inline) {
+    const Kernel kernel = lower(printed, callable.kernel);
+    const std::string comments = remarks + comment(counts(printed));
     return is_inline ? comments + definition(kernel, kInline) : print_whole_or_parts(comments, kernel);
   };
   const symbolic::KernelForm& form = callable.function->form;
-  if (!in_lanes) return print(summary(callable), core, form.inlines_core);
+  if (!in_lanes) return print(summary(callable), program, form.inlines_core);
   return print_both(
       callable, print(comments_in_lanes(callable), *in_lanes, form.inlines_core_in_lanes),
-      print("", core, form.inlines_core), print_chooser(callable, callable.core_parameters, kInline));
+      print("", program, form.inlines_core), print_chooser(callable, callable.core_parameters, kInline));
 }
 
 // Computes the sines and cosines of these angles, each into its element of sin_q and cos_q, by functions of this
@@ -205,25 +205,25 @@ std::string sines_and_cosines(
 
 // A kernel that computes sines and cosines and calls its core.
 std::string print_caller(const Library& library, const Callable& callable) {
-  const symbolic::AngleParts& parts = *callable.function->parts;
+  const symbolic::Core& core = *callable.function->core;
   std::string text = comment("Computes sines and cosines of the positions, then calls core::" + callable.kernel + ".") +
                      comment(counts(callable.count));
   const bool is_in_lanes = callable.function->in_lanes && !callable.function->form.has_own_lanes;
   if (is_in_lanes) text += comment("In lanes: " + counts(*callable.function->in_lanes));
-  if (const int sums = symbolic::cost(parts.angles).add; sums > 0)
+  if (const int sums = symbolic::cost(core.angles).add; sums > 0)
     text += comment("Additions for sums of angles: " + std::to_string(sums) + ".");
   text += signature("void " + callable.kernel, callable.parameters, " noexcept {");
   const std::string size = std::to_string(library.trigonometry->angle_count);
   // The arrays are stored as vectors and read one by one: a load from a vector across two cache lines would stall.
   text += (is_in_lanes ? "  alignas(64) Scalar sin_q[" : "  Scalar sin_q[") + size + "], cos_q[" + size + "];\n";
   text += sines_and_cosines(
-      library, parts.read, parts.angles, callable.function->form.calls_sines ? "robcogen::called" : "robcogen");
+      library, core.read, core.angles, callable.function->form.calls_sines ? "robcogen::called" : "robcogen");
   return text + call("core::" + callable.kernel, names_of(callable.core_parameters), 2) + "}\n";
 }
 
 // The kernel without lanes, after these comments.
 std::string print_one_by_one(const Library& library, const Callable& callable, const std::string& comments = "") {
-  if (callable.function->parts) return comments + print_caller(library, callable);
+  if (callable.function->core) return comments + print_caller(library, callable);
   const symbolic::Program& program = callable.function->program;
   return print_whole_or_parts(
       comments + comment(counts(callable.count)) + arrays(library, program), lower(program, callable.kernel));
@@ -259,7 +259,7 @@ std::string print_solutions(const std::vector<const Callable*>& callables) {
 std::string print_kernel(const Library& library, const Callable& callable) {
   const Function& function = *callable.function;
   if (function.solved) return print_solver(callable);
-  if (!function.form.has_own_lanes) return print_one_by_one(library, callable, function.parts ? "" : summary(callable));
+  if (!function.form.has_own_lanes) return print_one_by_one(library, callable, function.core ? "" : summary(callable));
   const symbolic::Program& program = *function.in_lanes;
   const Kernel kernel = lower(program, callable.kernel);
   const std::string comments = comments_in_lanes(callable) + comment(counts(program));
@@ -351,7 +351,7 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
       callables.begin(), callables.end(), [](const Callable* c) { return c->function->solved.has_value(); });
   std::vector<std::string> cores(callables.size()), kernels(callables.size());
   for_each_index(callables.size(), [&](std::size_t i) {
-    if (callables[i]->function->parts) cores[i] = print_core(*callables[i]);
+    if (callables[i]->function->core) cores[i] = print_core(*callables[i]);
     kernels[i] = print_kernel(*api.library, *callables[i]);
   });
   if (solves) kernels.insert(kernels.begin(), print_solutions(callables));

@@ -310,9 +310,9 @@ Table functions(const Api& api) {
   for (const Callable* c : all_callables(api)) {
     rows.push_back(function_row(*c));
     const int positions = positions_of(c->function->program);
-    if (positions < 0 || !(c->function->parts || model::has_own_positions(api.library->tree))) continue;
+    if (positions < 0 || !(c->function->core || model::has_own_positions(api.library->tree))) continue;
     rows.back().push_back(positions);
-    if (c->function->parts) rows.back().emplace_back(flat_core(*c));
+    if (c->function->core) rows.back().emplace_back(flat_core(*c));
   }
   return table("Function", "kFunctions", rows);
 }
