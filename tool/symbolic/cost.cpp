@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
-#include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "support/index.h"
 #include "symbolic/blocks.h"
@@ -39,28 +38,6 @@ class Operations {
   int of(Op op) const { return counts_[static_cast<std::size_t>(op)]; }
 };
 
-// A use of a product; -1 stands for a user that cannot be fused with it.
-struct Use {
-  int product = 0;
-  int user = -1;
-};
-
-// The number of products that are fused into sums.
-int fused(std::size_t size, const std::vector<Use>& uses) {
-  std::vector<int> first(size + 1, 0);
-  for (const Use& use : uses) ++first[at(use.product) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> users(uses.size()), next = first;
-  for (const Use& use : uses) users[at(next[at(use.product)]++)] = use.user;
-  std::vector<std::span<const int>> products;
-  for (std::size_t i = 0; i < size; ++i) {
-    if (first[i] == first[i + 1]) continue;
-    const std::span<const int> own = std::span(users).subspan(at(first[i]), at(first[i + 1] - first[i]));
-    if (std::find(own.begin(), own.end(), -1) == own.end()) products.push_back(own);
-  }
-  return fused_products(products, size);
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // Programs
 
@@ -80,7 +57,7 @@ class CostOfProgram {
       counted.add(s.op);
       if (s.op == Op::sine || s.op == Op::cosine) angles.emplace(static_cast<int>(s.a.kind), s.a.index, s.a.lane);
     });
-    Cost c = counted.cost(fused(p_.statements.size(), uses_of_products()));
+    Cost c = counted.cost(fused());
     // The sine of a single lane costs nothing if the sines of all lanes are computed.
     c.sincos += static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const auto& angle) {
       const auto& [kind, index, lane] = angle;
@@ -131,17 +108,22 @@ class CostOfProgram {
     return product.lane < 0 && sum.width == p_.statements[at(product.index)].width;
   }
 
-  std::vector<Use> uses_of_products() const {
-    std::vector<Use> uses;
-    for_each_statement([&](std::size_t i, const Statement& s) {
-      for_each_operand(s, [&](const Operand& o) {
-        if (is_product(o)) uses.push_back({o.index, is_sum(s.op) && is_fusable(s, o) ? static_cast<int>(i) : -1});
-      });
-    });
+  int fused() const {
+    FusedProducts products(p_.statements.size());
+    const auto note = [&](const Operand& o, int user) {
+      if (is_product(o)) products.add_use(o.index, user);
+    };
     for (const OutputArray& array : p_.outputs)
-      for (const Operand& o : array.values)
-        if (is_product(o)) uses.push_back({o.index, -1});
-    return uses;
+      for (const Operand& o : array.values) note(o, FusedProducts::kOther);
+    for (std::size_t i = p_.statements.size(); i-- > 0;) {
+      if (given_[i]) continue;
+      const Statement& s = p_.statements[i];
+      const auto user = static_cast<int>(i);
+      for_each_operand(
+          s, [&](const Operand& o) { note(o, is_sum(s.op) && is_fusable(s, o) ? user : FusedProducts::kOther); });
+      if (s.op == Op::multiply) products.add(user);
+    }
+    return products.count();
   }
 };
 
@@ -214,15 +196,13 @@ int work(const Program& program) {
 TracedCost traced_cost(const Graph& graph, const std::vector<std::vector<Expression>>& outputs) {
   const std::vector<Node>& nodes = graph.nodes();
   std::vector<char> needed(nodes.size(), false);
-  std::vector<Use> uses;
+  FusedProducts products(nodes.size());
   const auto note = [&](int node, int user) {
     needed[at(node)] = true;
-    if (!is_product(nodes[at(node)])) return;
-    const Use use = {node, user};
-    uses.push_back(use);
+    if (is_product(nodes[at(node)])) products.add_use(node, user);
   };
   for (const std::vector<Expression>& values : outputs)
-    for (const Expression& e : values) note(e.node(), -1);
+    for (const Expression& e : values) note(e.node(), FusedProducts::kOther);
   TracedCost result;
   Operations counted;
   for (std::size_t i = nodes.size(); i-- > 0;) {
@@ -233,11 +213,12 @@ TracedCost traced_cost(const Graph& graph, const std::vector<std::vector<Express
     if (n.kind != Node::Kind::operation) continue;
     ++result.statements;
     counted.add(n.op);
-    const int user = is_sum(n.op) ? static_cast<int>(i) : -1;
+    if (n.op == Op::multiply) products.add(static_cast<int>(i));
+    const int user = is_sum(n.op) ? static_cast<int>(i) : FusedProducts::kOther;
     note(n.a, user);
     if (n.b >= 0) note(n.b, user);
   }
-  result.work = weighted(counted.cost(fused(nodes.size(), uses)), kWork);
+  result.work = weighted(counted.cost(products.count()), kWork);
   return result;
 }
 

@@ -126,6 +126,9 @@ std::optional<std::array<Expression, 2>> Graph::known_sine_cosine(const Expressi
 std::optional<Expression> Graph::folded_sum(const Expression& a, const Expression& b) {
   const bool is_a_sum = is_sum(node_of(a)), is_b_sum = is_sum(node_of(b));
   const auto folded = [&](const Expression& sum, const Expression& other) -> std::optional<Expression> {
+    const Node& n = node_of(sum);
+    const bool has_constants = is_constant(other.node()) && (is_constant(n.a) || is_constant(n.b));
+    if (!has_constants && n.a != other.node() && n.b != other.node()) return std::nullopt;
     const auto [first, second] = terms(sum);
     // (t + c1) + c2
     if (is_constant(other.node())) {
@@ -143,6 +146,8 @@ std::optional<Expression> Graph::folded_sum(const Expression& a, const Expressio
     if (const auto result = folded(b, a)) return result;
   if (!is_a_sum || !is_b_sum) return std::nullopt;
   // (p + r) + (q - r)
+  const Node &x = node_of(a), &y = node_of(b);
+  if (x.a != y.a && x.a != y.b && x.b != y.a && x.b != y.b) return std::nullopt;
   const std::array<Expression, 2> terms_a = terms(a), terms_b = terms(b);
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t k = 0; k < 2; ++k)

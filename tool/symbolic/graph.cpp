@@ -70,9 +70,12 @@ void Graph::grow() {
 }
 
 int Graph::intern(const Node& n) {
+  // As `slot`, which would have to be called here for every operation.
   const std::uint32_t own = hash(n);
-  std::size_t place = slot(n, own);
-  if (known_[place].node >= 0) return known_[place].node;
+  const std::size_t mask = known_.size() - 1;
+  std::size_t place = own & mask;
+  for (; known_[place].node >= 0; place = (place + 1) & mask)
+    if (known_[place].hash == own && is_same(nodes_[at(known_[place].node)], n)) return known_[place].node;
   const auto node = static_cast<int>(nodes_.size());
   if (2 * (nodes_.size() + 1) > known_.size()) {
     grow();

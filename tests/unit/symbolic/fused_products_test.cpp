@@ -2,11 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace robcogen::symbolic {
 namespace {
 
-int fused(const std::vector<std::vector<int>>& products, std::size_t size) {
-  return fused_products({products.begin(), products.end()}, size);
+// `users`: the uses of each product.
+int fused(const std::vector<std::vector<int>>& users, std::size_t size) {
+  FusedProducts products(std::max(users.size(), size));
+  for (std::size_t i = users.size(); i-- > 0;) {
+    for (const int user : users[i]) products.add_use(static_cast<int>(i), user);
+    products.add(static_cast<int>(i));
+  }
+  return products.count();
 }
 
 TEST(FusedProducts, AreNoneWithoutProducts) {
@@ -25,6 +34,10 @@ TEST(FusedProducts, StayWhereASumTakesThemTwice) {
 TEST(FusedProducts, DisappearWhereEverySumTakesThem) {
   EXPECT_EQ(fused({{0, 1}}, 2), 1);
   EXPECT_EQ(fused({{1}, {0, 1}}, 2), 1);
+}
+
+TEST(FusedProducts, StayWhereSomethingElseUsesThem) {
+  EXPECT_EQ(fused({{0, FusedProducts::kOther}}, 1), 0);
 }
 
 // The product with two uses comes first in the list and would block the sums of the two others.
