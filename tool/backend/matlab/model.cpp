@@ -1,6 +1,5 @@
 // The structs of constants and of parameters, and the overview of a package.
 #include <algorithm>
-#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -212,11 +211,11 @@ std::string print_model(const Library& library) {
   }
   text += std::string("  model.floating_base = ") + (tree.floating_base ? "true" : "false") + ";\n";
   const std::vector<ConstantList> lists = constants(library);
-  const auto& [joints, coupled, links, frames, limbs] = std::tie(lists[0], lists[1], lists[2], lists[3], lists[4]);
-  text += "\n" + joint_fields(library, joints.items);
-  if (has_spherical_joints) text += type_field("is_spherical", joints.items, "spherical");
-  text += coupling_fields(library, coupled.items) + "\n" + link_fields(links.items) + "\n" + frame_fields(frames.items);
-  if (!limbs.items.empty()) text += "\n" + limb_fields(limbs.items);
+  const Items &joints = lists[0].items, &coupled = lists[1].items, &limbs = lists[4].items;
+  text += "\n" + joint_fields(library, joints);
+  if (has_spherical_joints) text += type_field("is_spherical", joints, "spherical");
+  text += coupling_fields(library, coupled) + "\n" + link_fields(lists[2].items) + "\n" + frame_fields(lists[3].items);
+  if (!limbs.empty()) text += "\n" + limb_fields(limbs);
   return text + "end\n";
 }
 
