@@ -38,12 +38,9 @@ constexpr double kLeastScale = 0.25;
 template <class Real>
 class Leaves {
  public:
-  Leaves(const Program& program, const std::vector<double>& parameters) {
-    for (const InputArray& array : program.inputs)
-      for (std::size_t k = 0; k < array.elements.size(); ++k)
-        inputs_.push_back(in_all_states<Real>([&](std::size_t s) {
-          return rounded<Real>({input_of(array, k, s, parameters), 0.0});
-        }));
+  Leaves(const Program& program, const std::vector<Batch<double>>& inputs) {
+    for (const Batch<double>& input : inputs)
+      inputs_.push_back(in_all_states<Real>([&](std::size_t s) { return rounded<Real>({input.value[s], 0.0}); }));
     for (const Constant& c : program.constants)
       constants_.push_back(in_all_states<Real>([&](std::size_t) { return literal_as<Real>(c.number()); }));
   }
@@ -166,8 +163,9 @@ struct AccurateResults::Results {
 
   Errors errors_of(const Program& program) const {
     constexpr double kOfDouble = 0x1p-53, kOfFloat = 0x1p-24;
-    const InStates<double> in_double(program, {program, parameters});
-    const InStates<float> in_float(program, {program, parameters});
+    const std::vector<Batch<double>> inputs = inputs_of(program, parameters);
+    const InStates<double> in_double(program, {program, inputs});
+    const InStates<float> in_float(program, {program, inputs});
     return {
         errors_of(program, in_double, kOfDouble), errors_of(program, in_float, kOfFloat),
         error_of_pivots(program, in_double, in_float)};
@@ -177,7 +175,7 @@ struct AccurateResults::Results {
 AccurateResults::AccurateResults(const Program& program, std::vector<double> parameters) {
   auto results = std::make_unique<Results>();
   results->parameters = std::move(parameters);
-  const InStates<DoubleDouble> values(program, {program, results->parameters});
+  const InStates<DoubleDouble> values(program, {program, inputs_of(program, results->parameters)});
   for (const OutputArray& array : program.outputs) {
     Results::Output& output = results->outputs.emplace_back();
     output.name = array.name;

@@ -1,7 +1,9 @@
 #include "symbolic/states.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace robcogen::symbolic {
 namespace {
@@ -14,17 +16,21 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// A number between -1 and 1 that a float represents exactly.
-double number_of(const std::string& array, std::size_t element, std::size_t state) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : array) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  const std::uint64_t bits = scrambled(scrambled(hash + element) + state);
+std::uint64_t hash(const std::string& text) {
+  std::uint64_t result = 0xcbf29ce484222325ULL;
+  for (const char c : text) result = (result ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return result;
+}
+
+// A number between -1 and 1 that a float represents exactly. `array`: the hash of the array's name.
+double number_of(std::uint64_t array, std::size_t element, std::size_t state) {
+  const std::uint64_t bits = scrambled(scrambled(array + element) + state);
   constexpr double kScale = 1 << 16;
   return static_cast<double>(static_cast<std::int64_t>(bits >> 47) - (1 << 16)) / kScale;
 }
 
 // A unit quaternion rounded to float; its norm is one up to that rounding.
-std::array<double, 4> unit_quaternion(const std::string& array, std::size_t first, std::size_t state) {
+std::array<double, 4> unit_quaternion(std::uint64_t array, std::size_t first, std::size_t state) {
   std::array<double, 4> q{};
   double square = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -35,20 +41,11 @@ std::array<double, 4> unit_quaternion(const std::string& array, std::size_t firs
   return q;
 }
 
-}  // namespace
-
-double input_of(
-    const InputArray& array,
-    std::size_t element,
-    std::size_t state,
-    const std::vector<double>& parameters) {
-  const double x = number_of(array.name, element, state);
-  for (const int first : array.quaternions)
-    if (const int i = static_cast<int>(element) - first; i >= 0 && i < 4)
-      return unit_quaternion(array.name, at(first), state)[at(i)];
-  switch (array.role) {
+// A value for an element with this role, from a number between -1 and 1.
+double value_of(Role role, double x) {
+  switch (role) {
     case Role::parameters:
-      return element < parameters.size() ? parameters[element] : 1.0 + 0.25 * x;
+      return 1.0 + 0.25 * x;
     case Role::joint_position:
       return 3.0 * x;
     case Role::gravity:
@@ -56,14 +53,34 @@ double input_of(
     case Role::inertia_factor:
       return 0.125 * x;
     case Role::inverse_diagonal:
+    case Role::contact_compliance:
       return 1.0 + 0.5 * x;
     case Role::contact_activity:
       return x > -0.5 ? 1.0 : 0.0;
-    case Role::contact_compliance:
-      return 1.0 + 0.5 * x;
     default:
       return 2.0 * x;
   }
+}
+
+}  // namespace
+
+std::vector<Batch<double>> inputs_of(const Program& program, const std::vector<double>& parameters) {
+  std::vector<Batch<double>> inputs;
+  for (const InputArray& array : program.inputs) {
+    const std::uint64_t name = hash(array.name);
+    const std::size_t begin = inputs.size();
+    for (std::size_t k = 0; k < array.elements.size(); ++k) {
+      const bool is_given = array.role == Role::parameters && k < parameters.size();
+      inputs.push_back(in_all_states<double>(
+          [&](std::size_t s) { return is_given ? parameters[k] : value_of(array.role, number_of(name, k, s)); }));
+    }
+    for (const int first : array.quaternions)
+      for (std::size_t s = 0; s < kStates; ++s) {
+        const std::array<double, 4> q = unit_quaternion(name, at(first), s);
+        for (std::size_t i = 0; i < q.size(); ++i) inputs[begin + at(first) + i].value[s] = q[i];
+      }
+  }
+  return inputs;
 }
 
 DoubleDouble exact(std::int64_t n) {

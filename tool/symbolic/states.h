@@ -67,9 +67,9 @@ Real literal_as(const Number& n) {
   }
 }
 
-// The value of an input element in a state. `parameters`: the values of the input with the role `parameters`; missing
-// ones are one.
-double input_of(const InputArray& array, std::size_t element, std::size_t state, const std::vector<double>& parameters);
+// The values of all input elements in all states. `parameters`: the values of the input with the role `parameters`;
+// missing ones are near one.
+std::vector<Batch<double>> inputs_of(const Program& program, const std::vector<double>& parameters);
 
 // ---- Operations in all states.
 
