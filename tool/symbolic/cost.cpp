@@ -110,17 +110,17 @@ class CostOfProgram {
 
   int fused() const {
     FusedProducts products(p_.statements.size());
-    const auto note = [&](const Operand& o, int user) {
-      if (is_product(o)) products.add_use(o.index, user);
-    };
     for (const OutputArray& array : p_.outputs)
-      for (const Operand& o : array.values) note(o, FusedProducts::kOther);
+      for (const Operand& o : array.values)
+        if (is_product(o)) products.add_use(o.index, FusedProducts::kOther);
     for (std::size_t i = p_.statements.size(); i-- > 0;) {
       if (given_[i]) continue;
       const Statement& s = p_.statements[i];
       const auto user = static_cast<int>(i);
-      for_each_operand(
-          s, [&](const Operand& o) { note(o, is_sum(s.op) && is_fusable(s, o) ? user : FusedProducts::kOther); });
+      for_each_operand(s, [&](const Operand& o) {
+        if (!is_product(o)) return;
+        products.add_use(o.index, is_sum(s.op) && is_fusable(s, o) ? user : FusedProducts::kOther);
+      });
       if (s.op == Op::multiply) products.add(user);
     }
     return products.count();
