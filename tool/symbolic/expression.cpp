@@ -89,7 +89,7 @@ Expression atan2(const Expression& sine, const Expression& cosine) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Graph: folding
 
-Graph::Scaled Graph::split_factor(int node) const {
+inline Graph::Scaled Graph::split_factor(int node) const {
   const Node& n = nodes_[at(node)];
   if (is_product(n)) {
     if (is_constant(n.a)) return {n.a, n.b};

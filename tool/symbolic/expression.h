@@ -115,6 +115,8 @@ class Graph {
   const std::string& subject() const { return sections_.back().prefix; }
 
   const std::vector<Node>& nodes() const { return nodes_; }
+  // Makes room for so many nodes.
+  void reserve(std::size_t nodes);
   const Constant& constant_of(const Node& n) const { return constants_[static_cast<std::size_t>(n.a)]; }
 
   // The program that computes these outputs: reachable operations in the order of their creation. `outputs[k]` supplies
@@ -144,9 +146,10 @@ class Graph {
   std::uint32_t hash(const Node& n) const;
   // Whether both nodes are the same operation, input or constant.
   bool is_same(const Node& m, const Node& n) const;
+  bool are_same_constants(const Node& m, const Node& n) const;  // n is a constant
   // The index in known_ at which the same node, with this hash, is or would be stored.
   std::size_t slot(const Node& n, std::uint32_t hash) const;
-  void grow();
+  void resize_table(std::size_t size);
   int intern(const Node& n);
   Expression operation(Op op, const Expression& a, const Expression& b);
   Expression add(Expression a, Expression b);

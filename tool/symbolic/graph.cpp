@@ -12,20 +12,19 @@
 namespace robcogen::symbolic {
 namespace {
 
-// The number of nodes that suffices for most programs in the search for link frames. A power of two.
-constexpr std::size_t kUsualNodes = 2048;
+// The sizes of the hash table of a new graph, and of a table that becomes too small, by that of the old one.
+constexpr std::size_t kFirstSlots = 128, kGrowth = 4;
 
 }  // namespace
 
-Graph::Graph() : known_(2 * kUsualNodes) {
-  nodes_.reserve(kUsualNodes);
+Graph::Graph() : known_(kFirstSlots) {
   sections_.push_back({"", "t"});
   section_starts_.push_back(0);
   constant(0.0);
   constant(1.0);
 }
 
-std::uint32_t Graph::hash(const Node& n) const {
+inline std::uint32_t Graph::hash(const Node& n) const {
   std::uint64_t h = 0;
   if (n.kind == Node::Kind::constant) {
     h = std::bit_cast<std::uint64_t>(constant_of(n).value());
@@ -39,8 +38,7 @@ std::uint32_t Graph::hash(const Node& n) const {
   return static_cast<std::uint32_t>(h >> 32);
 }
 
-bool Graph::is_same(const Node& m, const Node& n) const {
-  if (n.kind != Node::Kind::constant) return m == n;
+bool Graph::are_same_constants(const Node& m, const Node& n) const {
   if (m.kind != Node::Kind::constant) return false;
   const Constant &a = constant_of(m), &b = constant_of(n);
   const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
@@ -48,7 +46,11 @@ bool Graph::is_same(const Node& m, const Node& n) const {
          a.number().is_pi_multiple() == b.number().is_pi_multiple();
 }
 
-std::size_t Graph::slot(const Node& n, std::uint32_t hash) const {
+inline bool Graph::is_same(const Node& m, const Node& n) const {
+  return n.kind == Node::Kind::constant ? are_same_constants(m, n) : m == n;
+}
+
+inline std::size_t Graph::slot(const Node& n, std::uint32_t hash) const {
   const std::size_t mask = known_.size() - 1;
   std::size_t place = hash & mask;
   while (known_[place].node >= 0 && (known_[place].hash != hash || !is_same(nodes_[at(known_[place].node)], n)))
@@ -56,12 +58,17 @@ std::size_t Graph::slot(const Node& n, std::uint32_t hash) const {
   return place;
 }
 
-// Doubles the hash table. The nodes are inserted in the order of their creation again.
-void Graph::grow() {
+void Graph::reserve(std::size_t nodes) {
+  nodes_.reserve(nodes);
+  if (2 * nodes > known_.size()) resize_table(std::bit_ceil(2 * nodes));
+}
+
+// The nodes are inserted in the order of their creation again.
+void Graph::resize_table(std::size_t size) {
   std::vector<std::uint32_t> hashes(nodes_.size());
   for (const KnownNode& known : known_)
     if (known.node >= 0) hashes[at(known.node)] = known.hash;
-  known_.assign(2 * known_.size(), {});
+  known_.assign(size, {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     std::size_t place = hashes[i] & (known_.size() - 1);
     while (known_[place].node >= 0) place = (place + 1) & (known_.size() - 1);
@@ -70,18 +77,12 @@ void Graph::grow() {
 }
 
 int Graph::intern(const Node& n) {
-  // As `slot`, which would have to be called here for every operation.
+  if (2 * (nodes_.size() + 1) > known_.size()) resize_table(kGrowth * known_.size());
   const std::uint32_t own = hash(n);
-  const std::size_t mask = known_.size() - 1;
-  std::size_t place = own & mask;
-  for (; known_[place].node >= 0; place = (place + 1) & mask)
-    if (known_[place].hash == own && is_same(nodes_[at(known_[place].node)], n)) return known_[place].node;
+  KnownNode& known = known_[slot(n, own)];
+  if (known.node >= 0) return known.node;
   const auto node = static_cast<int>(nodes_.size());
-  if (2 * (nodes_.size() + 1) > known_.size()) {
-    grow();
-    place = slot(n, own);
-  }
-  known_[place] = {own, node};
+  known = {own, node};
   nodes_.push_back(n);
   return node;
 }

@@ -64,7 +64,9 @@ Trial& LimbTrials::of(int joint, const LinkFrames& frames) {
   const LinkFrames own = frames_of_view(limb.view, frames);
   return limb.trials.in_frames(own, [&] {
     Trace trace(limb.view.tree);
+    trace.graph.reserve(limb.nodes);
     trace_(trace, draft(limb, own));
+    limb.nodes = std::max(limb.nodes, trace.graph.nodes().size());
     return trace.cost();
   });
 }

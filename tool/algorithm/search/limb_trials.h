@@ -1,6 +1,7 @@
 // The trials of a search for link frames, limb by limb, so that nothing is traced twice.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -56,6 +57,7 @@ class LimbTrials {
     std::shared_ptr<const LinkNumbers> numbers;
     std::shared_ptr<const symbolic::AccurateResults> results;  // set when they are first requested
     Trials trials;
+    std::size_t nodes = 0;  // the most that a trial had
   };
 
   const Formulation& formulation_;
