@@ -1,6 +1,8 @@
 // The arrays that functions share, and their sizes.
 #pragma once
 
+#include <vector>
+
 #include "algorithm/catalogue/declaration.h"
 
 namespace robcogen::algorithm::catalogue {

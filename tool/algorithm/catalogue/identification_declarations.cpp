@@ -1,4 +1,7 @@
 // Functions for identification and adaptive control: regressors, and the parameters that they multiply.
+#include <string>
+#include <vector>
+
 #include "algorithm/catalogue/arrays.h"
 #include "algorithm/identification/base_regressor.h"
 #include "algorithm/identification/drive_regressor.h"

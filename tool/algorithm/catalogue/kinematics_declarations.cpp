@@ -1,5 +1,7 @@
 // Functions of each desired pair of frames. Several scopes may have functions of the same name: the names of their
 // programs differ.
+#include <string>
+
 #include "algorithm/catalogue/arrays.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/kinematics/path.h"

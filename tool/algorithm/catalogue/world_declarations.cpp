@@ -1,4 +1,8 @@
 // Functions in the world: of each desired frame, and of the whole robot. Their scope says in which axes.
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "algorithm/catalogue/arrays.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/world_frames.h"
