@@ -70,7 +70,13 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
             "quadruped/quadruped.dtdsl",
         robots + "ball_leg/ball_leg.kindsl --name ball_leg", (folder / "crane.motdsl").string() + " --name crane"})
     generate(folder, arguments);
-  const std::string text = program(code_blocks(read_text(source_folder() / "runtime/README.md")));
+  std::vector<CodeBlock> blocks = code_blocks(read_text(source_folder() / "runtime/README.md"));
+  for (const char* page : {"NOTATION.md", "WORLD.md", "CONTACTS.md", "JOINTS.md", "BATCH.md"})
+    for (CodeBlock block : code_blocks(read_text(source_folder() / "runtime" / page))) {
+      block.section = page;  // its examples build on each other
+      blocks.push_back(block);
+    }
+  const std::string text = program(blocks);
   expect_to_compile(folder, text);
   // The calls on the front page. Its listing is part of a function, and another test compares it.
   std::string front =

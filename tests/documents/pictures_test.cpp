@@ -56,10 +56,10 @@ void expect_same(const std::string& drawing, const std::string& name, std::size_
 }
 
 TEST(Pictures, ChartIsThatOfTheTables) {
-  const std::string drawing = draw("'" ROBCOGEN_DRAW_CHART "' '" ROBCOGEN_SOURCE_DIR "/bench/README.md'");
+  const std::string drawing = draw("'" ROBCOGEN_DRAW_CHART "' '" ROBCOGEN_SOURCE_DIR "/bench/FIGURES.md'");
   EXPECT_NE(drawing.find("MuJoCo, Humanoid"), std::string::npos);
   EXPECT_EQ(drawing, read_text(source_folder() / "bench/chart.svg"))
-      << "bench/chart.svg does not show the tables of bench/README.md: build the target update_documents";
+      << "bench/chart.svg does not show the tables of bench/FIGURES.md: build the target update_documents";
 }
 
 TEST(Pictures, HopIsThatOfTheDemo) {

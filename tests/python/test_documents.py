@@ -67,7 +67,7 @@ class Documents(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def test_the_example_of_the_guide_runs(self):
-        with open(os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "README.md"), encoding="utf-8") as file:
+        with open(os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "LANGUAGES.md"), encoding="utf-8") as file:
             blocks = re.findall(r"\n```python\n(.*?)\n```\n", file.read(), re.DOTALL)
         self.assertGreater(len(blocks), 0)
         names = {"hyl_kindsl": os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "robots", "hyl", "hyl.kindsl")}
@@ -80,7 +80,7 @@ class Documents(unittest.TestCase):
         self.addCleanup(cache.cleanup)
         os.environ["ROBCOGEN_CACHE"] = cache.name
         for block in blocks:
-            exec(compile(block, "README.md", "exec"), names)
+            exec(compile(block, "LANGUAGES.md", "exec"), names)
         self.assertEqual(names["tau"].shape, (7,))
         self.assertAlmostEqual(names["forces"][0], 7.501 * 9.81)
         # The base falls for 10 ms, by h^2 g (1 + … + 10).

@@ -395,7 +395,7 @@ TEST(C, OtherCompilersTakeIt) {
 
 // The example of the guide compiles and runs.
 TEST(C, TheExampleOfTheGuideRuns) {
-  const std::string guide = test::read_text(kRobots / ".." / "runtime" / "README.md");
+  const std::string guide = test::read_text(kRobots / ".." / "runtime" / "LANGUAGES.md");
   const std::size_t begin = guide.find("\n```c\n"), end = guide.find("\n```\n", begin);
   ASSERT_NE(begin, std::string::npos);
   const test::Scratch scratch("c-guide");
