@@ -38,7 +38,7 @@ void choose_kernels(backend::Library& library) {
 backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features) {
   const std::vector<std::string> groups = model.robot() ? options.groups : std::vector<std::string>{kTransformsGroup};
   Functions functions = programs(model, groups, options.steps, features);
-  backend::Library result = assemble(model, options.names, groups, std::move(functions), options.primitives);
+  backend::Library result = library_of(model, options.names, groups, std::move(functions), options.primitives);
   if (features.has_lanes) choose_kernels(result);
   result.has_batches = options.has_batches;
   result.levels = options.levels;

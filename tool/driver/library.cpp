@@ -65,7 +65,7 @@ bool has_contacts(const Functions& functions) {
 
 }  // namespace
 
-backend::Library assemble(
+backend::Library library_of(
     const Model& model,
     const LibraryNames& names,
     std::vector<std::string> groups,

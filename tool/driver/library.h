@@ -20,7 +20,7 @@ struct LibraryNames {
 // Whether transforms also come as products of primitives, and in which convention.
 using Primitives = std::optional<model::MovedFramePosition>;
 
-backend::Library assemble(
+backend::Library library_of(
     const Model& model,
     const LibraryNames& names,
     std::vector<std::string> groups,

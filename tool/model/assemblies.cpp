@@ -50,13 +50,14 @@ class AssemblySearch {
         q[at(joint)] += any(engine) * (is_angle(joint) ? std::acos(-1.0) : 2.0 * size_);
       consider(std::move(q));
     }
-    if (found_.ways.empty()) return found_;
-    std::stable_sort(found_.ways.begin(), found_.ways.end(), [&](const LoopAssembly& a, const LoopAssembly& b) {
-      const double difference = distance(a) - distance(b);
-      return std::abs(difference) > kSamePosition ? difference < 0.0 : a.positions > b.positions;
-    });
-    found_.ways.resize(std::min(found_.ways.size(), kShown));
-    for (LoopAssembly& way : found_.ways) way.leader = leader_of(way);
+    if (found_.assemblies.empty()) return found_;
+    std::stable_sort(
+        found_.assemblies.begin(), found_.assemblies.end(), [&](const LoopAssembly& a, const LoopAssembly& b) {
+          const double difference = distance(a) - distance(b);
+          return std::abs(difference) > kSamePosition ? difference < 0.0 : a.positions > b.positions;
+        });
+    found_.assemblies.resize(std::min(found_.assemblies.size(), kShown));
+    for (LoopAssembly& way : found_.assemblies) way.leader = leader_of(way);
     found_.is_start_stretched = cluster_.rank(start_) < static_cast<int>(found_.dependents.size());
     return found_;
   }
@@ -100,17 +101,17 @@ class AssemblySearch {
   // Closes the loops from here. Joints that the loops do not determine return to the start first.
   void consider(std::vector<double> q) {
     const std::vector<int> dependents = cluster_.following(q, candidates_);
-    if (!found_.ways.empty() && ranks(dependents) > ranks(found_.dependents)) return;
+    if (!found_.assemblies.empty() && ranks(dependents) > ranks(found_.dependents)) return;
     std::vector<double> from = start_;
     for (const int joint : dependents) from[at(joint)] = q[at(joint)];
     if (!(cluster_.close(from, dependents) <= kClosed * cluster_.size(from))) return;
     if (dependents != found_.dependents) found_ = {dependents, {}, false};
-    for (const LoopAssembly& way : found_.ways)
+    for (const LoopAssembly& way : found_.assemblies)
       if (is_same(way, from)) return;
     LoopAssembly way;
     for (const int joint : dependents)
       way.positions.push_back(is_angle(joint) ? turned_back(from[at(joint)]) : from[at(joint)]);
-    found_.ways.push_back(std::move(way));
+    found_.assemblies.push_back(std::move(way));
   }
 
   // The first joint whose position in the assembly, as a message shows it, leads there alone.
@@ -147,8 +148,8 @@ std::string describe(const LoopContext& context, const LoopAssemblies& assemblie
 
 // How to change the document to get one of the assemblies.
 std::string hint_to_choose(const LoopContext& context, const LoopAssemblies& assemblies) {
-  const LoopAssembly& first = assemblies.ways.front();
-  const bool has_two = assemblies.ways.size() > 1 && assemblies.ways[1].leader == first.leader;
+  const LoopAssembly& first = assemblies.assemblies.front();
+  const bool has_two = assemblies.assemblies.size() > 1 && assemblies.assemblies[1].leader == first.leader;
   const auto position = [&](const LoopAssembly& way, int joint) { return way.positions[index_of(assemblies, joint)]; };
   if (context.assembled_form == AssembledForm::none) {
     const std::vector<int> turned = first.leader < 0 ? assemblies.dependents : std::vector<int>{first.leader};
@@ -167,7 +168,7 @@ std::string hint_to_choose(const LoopContext& context, const LoopAssemblies& ass
   }
   const std::string one = fmt::format("'{}'", context.assembled_text(position(first, first.leader)));
   const std::string other =
-      has_two ? fmt::format(" or '{}'", context.assembled_text(position(assemblies.ways[1], first.leader))) : "";
+      has_two ? fmt::format(" or '{}'", context.assembled_text(position(assemblies.assemblies[1], first.leader))) : "";
   const bool is_angle = turns(context.tree.joints[at(first.leader)].type);
   return fmt::format(
       "write {}{} in joint '{}', or {} by as much {} its axis", one, other, context.name(first.leader),
@@ -190,9 +191,9 @@ void explain_open(
     const std::string& subject,
     const std::string& where,
     PlaneFault& fault) {
-  if (assemblies.ways.empty()) return;
+  if (assemblies.assemblies.empty()) return;
   std::string ways;
-  for (const LoopAssembly& way : assemblies.ways)
+  for (const LoopAssembly& way : assemblies.assemblies)
     ways += (ways.empty() ? "with " : ", or with ") + describe(context, assemblies, way);
   fault.hint = hint_to_choose(context, assemblies);
   if (!assemblies.is_start_stretched) {

@@ -16,7 +16,7 @@ struct LoopAssembly {
 
 struct LoopAssemblies {
   std::vector<int> dependents;     // joints
-  std::vector<LoopAssembly> ways;  // nearest to the drawing first; at most two
+  std::vector<LoopAssembly> assemblies;  // nearest to the drawing first; at most two
   // At the start, the loops determine fewer joints than in an assembly: it leads to none of the assemblies.
   bool is_start_stretched = false;
 };

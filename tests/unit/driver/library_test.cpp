@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 backend::Library assembled(const Model& model, const std::vector<std::string>& groups, Primitives primitives = {}) {
-  return assemble(model, {"arm", "a::b"}, groups, optimise(model, declare(model, groups), {}, {}), primitives);
+  return library_of(model, {"arm", "a::b"}, groups, optimise(model, declare(model, groups), {}, {}), primitives);
 }
 
 const backend::Function& function(const backend::Library& library, const std::string& scope, const std::string& name) {
