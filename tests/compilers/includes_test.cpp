@@ -30,7 +30,7 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
      "std::stable_partition std::stable_sort std::transform std::unique std::upper_bound"},
     {"array", "std::array std::to_array"},
     {"atomic", "std::atomic"},
-    {"bit", "std::bit_cast std::bit_width std::countr_zero std::has_single_bit"},
+    {"bit", "std::bit_cast std::bit_ceil std::bit_width std::countr_zero std::has_single_bit"},
     {"cassert", "assert"},
     {"cctype", "std::isalnum std::isalpha std::isprint std::isspace std::tolower std::toupper"},
     {"cerrno", "errno"},
