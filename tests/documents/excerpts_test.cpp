@@ -15,16 +15,7 @@ namespace fs = std::filesystem;
 
 // The folder with the generated code of hyl.
 const fs::path& generated() {
-  static const fs::path folder = [] {
-    const fs::path made = scratch("excerpts");
-    int status = 0;
-    const std::string output = output_of(
-        "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + made.string() +
-            "'",
-        status);
-    EXPECT_EQ(status, 0) << output;
-    return made;
-  }();
+  static const fs::path folder = code_of_hyl("excerpts");
   return folder;
 }
 

@@ -21,13 +21,7 @@ std::string statements(const std::string& kernel) {
 }
 
 TEST(Listing, IsWhatTheGeneratorPrints) {
-  const fs::path folder = scratch("listing");
-  int status = 0;
-  const std::string output = output_of(
-      "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + folder.string() +
-          "' --algorithms joint_space_inertia",
-      status);
-  ASSERT_EQ(status, 0) << output;
+  const fs::path folder = code_of_hyl("listing", "--algorithms joint_space_inertia");
   const std::string printed = statements(read_text(folder / "hyl/kernel/joint_space_inertia.h"));
   fs::remove_all(folder);
   ASSERT_NE(printed, "") << "no function with a comment in its body";

@@ -1,5 +1,6 @@
 #include "markdown.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -146,6 +147,17 @@ std::string output_of(const std::string& command, int& status) {
   const int closed = pclose(pipe);
   status = WIFEXITED(closed) ? WEXITSTATUS(closed) : -1;
   return output;
+}
+
+fs::path code_of_hyl(const std::string& name, const std::string& options) {
+  const fs::path folder = scratch(name);
+  int status = 0;
+  const std::string output = output_of(
+      "'" ROBCOGEN_TOOL "' generate '" ROBCOGEN_SOURCE_DIR "/robots/hyl/hyl.kindsl' --name hyl -o '" + folder.string() +
+          "' " + options,
+      status);
+  EXPECT_EQ(status, 0) << output;
+  return folder;
 }
 
 }  // namespace robcogen::test

@@ -37,4 +37,8 @@ std::filesystem::path scratch(const std::string& name);
 // Runs a shell command, sets its exit status, and returns its output, errors included.
 std::string output_of(const std::string& command, int& status);
 
+// The folder scratch(name), with the code that the generator prints for the robot hyl with these options. A test fails
+// if the generator does.
+std::filesystem::path code_of_hyl(const std::string& name, const std::string& options = "");
+
 }  // namespace robcogen::test

@@ -93,12 +93,15 @@ InterpretedRobot::InterpretedRobot(
     }
     std::vector<symbolic::Function> functions = traced(group);
     for (const symbolic::Function& f : functions) {
+      const symbolic::Role role = f.program.outputs.front().role;
+      const bool is_jacobian = group == "jacobians" && symbolic::is_jacobian(role);
+      const auto quantity = frame_quantity(role);
+      if (!is_jacobian && !quantity) continue;
       const std::string& name = f.program.name;
-      if (group == "jacobians" && symbolic::is_jacobian(f.program.outputs.front().role))
-        tables_.add_jacobian(name, frame_index(robot, *robot.find_frame(f.left)), frame_index(robot, *robot.find_frame(f.right)), f.columns);
-      if (const auto quantity = frame_quantity(f.program.outputs.front().role))
-        tables_.add_frame_function(
-            name, *quantity, frame_index(robot, *robot.find_frame(f.left)), frame_index(robot, *robot.find_frame(f.right)), f.columns);
+      const int left = frame_index(robot, *robot.find_frame(f.left));
+      const int right = frame_index(robot, *robot.find_frame(f.right));
+      if (is_jacobian) tables_.add_jacobian(name, left, right, f.columns);
+      if (quantity) tables_.add_frame_function(name, *quantity, left, right, f.columns);
     }
     add(std::move(functions));
   }

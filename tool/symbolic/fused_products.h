@@ -11,7 +11,7 @@ class FusedProducts {
  public:
   explicit FusedProducts(std::size_t size) : last_use_(size, kNone), next_(size, kNone) {}
 
-  // A user that is no sum, or that cannot be fused with the product.
+  // A user that is not a sum, or cannot be fused with the product.
   static constexpr int kOther = -1;
 
   void add_use(int product, int user);

@@ -69,7 +69,7 @@ TEST(KernelForm, LongProgramsInLanesCallACoreInLanes) {
   EXPECT_TRUE(kernel_form(f, {}).has_own_lanes);
   f.in_lanes = products(513);
   EXPECT_FALSE(kernel_form(f, {}).has_own_lanes);
-  f.core.reset();  // there is no core
+  f.core.reset();
   EXPECT_TRUE(kernel_form(f, {}).has_own_lanes);
 }
 

@@ -118,30 +118,8 @@ TEST(Cost, SinesAreGiven) {
   EXPECT_EQ(counted("let x = a[0] + a[1]\nlet s = sin x\nlet m = s * a[2]\nreturn out m\n").critical_path, 4);
 }
 
-// Parameters change rarely, so values that depend only on them take no time.
-TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
-  const auto program = [](const std::string& role) {
-    return test::program(
-        "program test\n"
-        "input k " +
-        role +
-        " 0 1\n"
-        "input x value 0 1\n"
-        "output out value 2 1\n"
-        "section hip link hip\n"
-        "in 0\n"
-        "let d = k[0] / k[1]\n"
-        "let e = sqrt d\n"
-        "let y = e * x[0]\n"
-        "let z = y + x[1]\n"
-        "return out z e\n");
-  };
-  EXPECT_EQ(predicted_time(program("value")), 14 + 14 + 4);
-  EXPECT_EQ(predicted_time(program("parameters")), 4);
-}
-
-// Programs over two lanes: parameters, and variables.
-Program of_lanes(const std::string& role, const std::string& statements, const std::string& returns) {
+// Programs of two arrays of two elements: k, which has this role, and variables x.
+Program of_two_inputs(const std::string& role, const std::string& statements, const std::string& returns) {
   return test::program(
       "program test\n"
       "input k " +
@@ -154,9 +132,24 @@ Program of_lanes(const std::string& role, const std::string& statements, const s
       statements + "return out " + returns + "\n");
 }
 
+// Parameters change rarely, so values that depend only on them take no time.
+TEST(PredictedTime, IsThatBetweenTwoChangesOfTheParameters) {
+  const auto program = [](const std::string& role) {
+    return of_two_inputs(
+        role,
+        "let d = k[0] / k[1]\n"
+        "let e = sqrt d\n"
+        "let y = e * x[0]\n"
+        "let z = y + x[1]\n",
+        "z e");
+  };
+  EXPECT_EQ(predicted_time(program("value")), 14 + 14 + 4);
+  EXPECT_EQ(predicted_time(program("parameters")), 4);
+}
+
 // An operation on all lanes counts once; bringing numbers together or apart is a move.
 TEST(Cost, LanesCountOnce) {
-  const Cost c = cost(of_lanes(
+  const Cost c = cost(of_two_inputs(
       "value", "tmp a = gather k[0] k[1]\ntmp b = gather x[0] x[1]\ntmp m = a * b\ntmp s = m + a\n", "s@0 s@1"));
   EXPECT_EQ(c.mul, 1);
   EXPECT_EQ(c.add, 1);
@@ -168,14 +161,14 @@ TEST(Cost, LanesCountOnce) {
 // All lanes together count as one sine, from which a single lane can be read; sines of single lanes count one each.
 TEST(Cost, SinesOfLanesAreOneAndThoseOfSingleLanesOneEach) {
   const std::string x = "tmp x = gather k[0] k[1]\n";
-  EXPECT_EQ(cost(of_lanes("value", x + "tmp s = sin x\ntmp c = cos x@0\n", "s@0 c")).sincos, 1);
-  EXPECT_EQ(cost(of_lanes("value", x + "tmp s = sin x@0\ntmp c = cos x@0\n", "s c")).sincos, 1);
-  EXPECT_EQ(cost(of_lanes("value", x + "tmp s = sin x@0\ntmp c = cos x@1\n", "s c")).sincos, 2);
+  EXPECT_EQ(cost(of_two_inputs("value", x + "tmp s = sin x\ntmp c = cos x@0\n", "s@0 c")).sincos, 1);
+  EXPECT_EQ(cost(of_two_inputs("value", x + "tmp s = sin x@0\ntmp c = cos x@0\n", "s c")).sincos, 1);
+  EXPECT_EQ(cost(of_two_inputs("value", x + "tmp s = sin x@0\ntmp c = cos x@1\n", "s c")).sincos, 2);
 }
 
 TEST(Cost, ASumOfLanesWaitsForHalves) {
   const Cost c =
-      cost(of_lanes("value", "tmp a = gather k[0] k[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+      cost(of_two_inputs("value", "tmp a = gather k[0] k[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
   EXPECT_EQ(c.instructions, 1);
   EXPECT_EQ(c.moves, 1 + 2);
   EXPECT_EQ(c.critical_path, 4 + 3 + 4);
@@ -184,17 +177,17 @@ TEST(Cost, ASumOfLanesWaitsForHalves) {
 // Vectors of numbers are prepared in advance; a gather of computed values has to be waited for.
 TEST(Cost, AGatherOfNumbersIsFree) {
   const Cost numbers =
-      cost(of_lanes("value", "tmp a = gather 0.5 -0.25\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+      cost(of_two_inputs("value", "tmp a = gather 0.5 -0.25\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
   EXPECT_EQ(numbers.moves, 2);
-  const Cost computed = cost(
-      of_lanes("value", "tmp y = x[0] + x[1]\ntmp a = gather y x[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
+  const Cost computed = cost(of_two_inputs(
+      "value", "tmp y = x[0] + x[1]\ntmp a = gather y x[1]\ntmp m = a * x[0]\ntmp s = sum_lanes m\n", "s s"));
   EXPECT_EQ(computed.critical_path, 4 + 3 + 4 + 3 + 4);
 }
 
 // A gather of parameters depends only on them, and so does everything computed from it.
 TEST(Work, AGatherOfParametersIsGiven) {
   const auto program = [](const std::string& role) {
-    return of_lanes(
+    return of_two_inputs(
         role, "tmp f = gather k[0] k[1]\ntmp g = gather x[0] x[1]\ntmp r = f * f\ntmp m = r * g\ntmp s = m + x[1]\n",
         "s@0 s@1");
   };
@@ -204,9 +197,10 @@ TEST(Work, AGatherOfParametersIsGiven) {
 
 // A gather with a lane that is not a parameter is not counted as given.
 TEST(Work, AGatherOfParametersAndOthersIsNotGiven) {
-  const Program program = of_lanes("parameters", "tmp f = gather k[0] x[0]\ntmp r = f * f\n", "r@0 r@1");
+  const Program program = of_two_inputs("parameters", "tmp f = gather k[0] x[0]\ntmp r = f * f\n", "r@0 r@1");
   EXPECT_EQ(work(program), 2);
-  EXPECT_EQ(work(of_lanes("parameters", "tmp f = gather k[0] k[1]\ntmp r = f * f\ntmp m = r@0 * x[0]\n", "m r@1")), 2);
+  EXPECT_EQ(
+      work(of_two_inputs("parameters", "tmp f = gather k[0] k[1]\ntmp r = f * f\ntmp m = r@0 * x[0]\n", "m r@1")), 2);
 }
 
 // The program with these outputs.
@@ -234,8 +228,8 @@ TEST(TracedCost, OfProductsInSums) {
   const TracedCost fused = traced_cost(graph, {{product + c}});
   EXPECT_EQ(fused.work, 3);  // two operations in one instruction
   EXPECT_EQ(fused.statements, 2);
-  EXPECT_EQ(traced_cost(graph, {{product + c, product}}).work, 4);      // the product is also a result
-  EXPECT_EQ(traced_cost(graph, {{shared + a, shared + b}}).work, 5);    // both sums fuse with it
+  EXPECT_EQ(traced_cost(graph, {{product + c, product}}).work, 4);          // the product is also a result
+  EXPECT_EQ(traced_cost(graph, {{shared + a, shared + b}}).work, 5);        // both sums fuse with it
   EXPECT_EQ(traced_cost(graph, {{sqrt(shared), shared + b}}).work, 8 + 4);  // the root, which needs it
 }
 
