@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 
 namespace robcogen::numeric {
 namespace {
@@ -46,8 +45,11 @@ std::optional<reflection::FrameQuantity> frame_quantity(symbolic::Role role) {
 
 constexpr std::size_t kFewJoints = 6;
 
-bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
+// The formulation of these steps in these link frames. Leaves the passes in `steps`.
+algorithm::Formulation formulation_of(std::vector<std::string>& steps, const algorithm::LinkFrames& frames) {
+  algorithm::Formulation formulation = algorithm::take_formulation(steps);
+  formulation.frames = frames;
+  return formulation;
 }
 
 std::string pair_name(const std::string& left, const std::string& letter, const std::string& right) {
@@ -75,6 +77,7 @@ InterpretedRobot::InterpretedRobot(
     : tree_(robot),
       desired_(desired),
       passes_(steps),
+      choices_(tree_, formulation_of(passes_, frames)),
       floating_(robot.floating_base),
       dof_(robot.dof()),
       parameters_(std::move(parameters)),
@@ -82,70 +85,43 @@ InterpretedRobot::InterpretedRobot(
   for (const model::FramePair& pair : desired.transforms)
     tables_.add_transform(
         pair_name(pair.left.name, "X", pair.right.name), frame_index(robot, pair.left), frame_index(robot, pair.right));
-  formulation_ = algorithm::take_formulation(passes_);
-  formulation_.frames = frames;
   const bool is_small = robot.joints.size() - 2 * robot.spherical_joints().size() <= kFewJoints;
   for (const std::string& group : groups.empty() ? algorithm::groups() : groups) {
     if (groups.empty() && !is_small && group.find("regressor") != std::string::npos) continue;
-    if (!contains(algorithm::groups_between_frames(), group)) {
-      pending_.push_back(group);
-      continue;
+    for (const algorithm::Declared& function : algorithm::declared(tree_, desired_, group)) {
+      add_to_tables(function);
+      declared_.emplace(function.kernel, function);
     }
-    std::vector<symbolic::Function> functions = traced(group);
-    for (const symbolic::Function& f : functions) {
-      const symbolic::Role role = f.program.outputs.front().role;
-      const bool is_jacobian = group == "jacobians" && symbolic::is_jacobian(role);
-      const auto quantity = frame_quantity(role);
-      if (!is_jacobian && !quantity) continue;
-      const std::string& name = f.program.name;
-      const int left = frame_index(robot, *robot.find_frame(f.left));
-      const int right = frame_index(robot, *robot.find_frame(f.right));
-      if (is_jacobian) tables_.add_jacobian(name, left, right, f.columns);
-      if (quantity) tables_.add_frame_function(name, *quantity, left, right, f.columns);
-    }
-    add(std::move(functions));
   }
 }
 
-std::vector<symbolic::Function> InterpretedRobot::traced(const std::string& group) const {
-  return algorithm::functions(tree_, desired_, group, formulation_);
-}
-
-void InterpretedRobot::add(std::vector<symbolic::Function> functions) const {
-  for (symbolic::Function& f : functions) {
-    std::string name = f.program.name;
-    programs_.emplace(std::move(name), pass::run(std::move(f.program), passes_));
-  }
-}
-
-const symbolic::Program* InterpretedRobot::find(const std::string& name) const {
-  // Most functions begin with the name of their group.
-  std::stable_partition(pending_.begin(), pending_.end(), [&](const auto& group) { return name.starts_with(group); });
-  auto found = programs_.find(name);
-  while (found == programs_.end() && !pending_.empty()) {
-    const std::string group = pending_.front();
-    pending_.erase(pending_.begin());
-    add(traced(group));
-    found = programs_.find(name);
-  }
-  return found == programs_.end() ? nullptr : &found->second;
+void InterpretedRobot::add_to_tables(const algorithm::Declared& function) {
+  const symbolic::Role role = algorithm::outline(function).outputs.front().role;
+  const bool is_jacobian = function.is->group == std::string("jacobians") && symbolic::is_jacobian(role);
+  const auto quantity = frame_quantity(role);
+  if (!is_jacobian && !quantity) return;
+  const std::vector<int> columns = algorithm::described(function).columns;
+  const model::FramePair& frames = function.subject.frames;
+  const int left = frame_index(tree_, frames.left), right = frame_index(tree_, frames.right);
+  if (is_jacobian) tables_.add_jacobian(function.kernel, left, right, columns);
+  if (quantity) tables_.add_frame_function(function.kernel, *quantity, left, right, columns);
 }
 
 const symbolic::Program& InterpretedRobot::program(const std::string& name) const {
-  const symbolic::Program* found = find(name);
-  if (!found) throw std::out_of_range("no function " + name);
-  return *found;
+  const auto found = programs_.find(name);
+  if (found != programs_.end()) return found->second;
+  symbolic::Program traced = algorithm::trace(declared_.at(name), choices_).program;
+  return programs_.emplace(name, pass::run(std::move(traced), passes_)).first->second;
 }
 
 const std::map<std::string, symbolic::Program>& InterpretedRobot::programs() const {
-  for (const std::string& group : pending_) add(traced(group));
-  pending_.clear();
+  for (const auto& [name, function] : declared_) program(name);
   return programs_;
 }
 
 void InterpretedRobot::replace(symbolic::Program program) {
-  find(program.name);
-  programs_.at(program.name) = std::move(program);
+  const std::string name = declared_.at(program.name).kernel;
+  programs_.insert_or_assign(name, std::move(program));
 }
 
 symbolic::Arrays<double> InterpretedRobot::run(
@@ -157,8 +133,7 @@ symbolic::Arrays<double> InterpretedRobot::run(
   std::string name = function;
   if (arguments.gravity != nullptr) name = function + gravity_only;
   // With gravity as an argument the base parameters are different ones.
-  if (arguments.gravity != nullptr && function.starts_with("base_") && has(function + "_any_gravity"))
-    name = function + "_any_gravity";
+  if (arguments.gravity != nullptr && has(function + "_any_gravity")) name = function + "_any_gravity";
   if (arguments.external != nullptr) name = function + "_external";
   inputs["gravity"] = arguments.gravity != nullptr ? arguments.gravity->values() : std::vector<double>{0, 0, -9.81};
   if (arguments.external != nullptr) {

@@ -30,8 +30,8 @@ class InterpretedRobot {
   using Vector = reference::Vector<Scalar>;
 
   // The functions of these groups, traced in these link frames and optimised by `steps`. Without groups, all of them,
-  // except the regressors of robots with many joints: their matrices are the largest. The functions of a group are
-  // traced when one of them first runs.
+  // except the regressors of robots with many joints: their matrices are the largest. A function is traced when it
+  // first runs.
   InterpretedRobot(
       const model::KinematicTree& robot,
       const model::DesiredTransforms& desired,
@@ -39,12 +39,15 @@ class InterpretedRobot {
       std::vector<double> parameters = {},
       const algorithm::LinkFrames& frames = {},
       const std::vector<std::string>& groups = {});
+  // Declared functions refer to members of this object.
+  InterpretedRobot(const InterpretedRobot&) = delete;
+  InterpretedRobot& operator=(const InterpretedRobot&) = delete;
 
   // The robot and its desired transforms and Jacobians; valid as long as this object.
   reflection::Robot tables() const { return tables_.robot(); }
   // All programs, by their unique names.
   const std::map<std::string, symbolic::Program>& programs() const;
-  bool has(const std::string& name) const { return find(name) != nullptr; }
+  bool has(const std::string& name) const { return declared_.contains(name); }
   const symbolic::Program& program(const std::string& name) const;
 
   // Replaces the program of that name by another form of the same function.
@@ -111,21 +114,18 @@ class InterpretedRobot {
 
   int rows() const { return floating_ ? 6 + dof_ : dof_; }
 
-  // Null if there is no such function.
-  const symbolic::Program* find(const std::string& name) const;
-  std::vector<symbolic::Function> traced(const std::string& group) const;
-  void add(std::vector<symbolic::Function> functions) const;
-
   model::KinematicTree tree_;
   model::DesiredTransforms desired_;
-  algorithm::Formulation formulation_;
   std::vector<std::string> passes_;
+  mutable algorithm::FormulationChoices choices_;
   bool floating_;
   int dof_;
   std::vector<double> parameters_;
   reference::Tables tables_;
-  mutable std::vector<std::string> pending_;  // groups that are not traced yet
-  mutable std::map<std::string, symbolic::Program> programs_;
+  std::map<std::string, algorithm::Declared> declared_;        // by their unique names
+  mutable std::map<std::string, symbolic::Program> programs_;  // those that were traced
+
+  void add_to_tables(const algorithm::Declared& function);
 };
 
 // Runs all checks on all samples: P1 to P5 of the dynamics and kinematics, and all results against the reference.
