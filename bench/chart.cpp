@@ -14,7 +14,7 @@ namespace {
 
 // Pixels.
 constexpr double kWidth = 860, kLeft = 74, kRight = 24, kPanelHeight = 230, kPanelGap = 44, kLegendTop = 24;
-constexpr double kLegendLine = 24, kNamesHeight = 120, kTick = 5, kMarker = 5, kNameDistance = 21;
+constexpr double kLegendLine = 24, kTick = 5, kMarker = 5, kNameDistance = 21;
 
 // Colours of medium lightness: the contrast to white and to black is at least 3, that of text 4.3.
 constexpr const char* kText = "#797979";
@@ -80,6 +80,14 @@ Axes axes(const std::vector<ChartPanel>& panels) {
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   }
   return a;
+}
+
+// Room for the names of robots, which are written upwards to the right, and the name of the axis.
+double names_height(const Axes& a) {
+  constexpr double kLeast = 120, kMargin = 52, kOfCharacter = 4.9;
+  std::size_t longest = 0;
+  for (const auto& [freedom, names] : a.robots) longest = std::max(longest, names.size());
+  return std::max(kLeast, kMargin + kOfCharacter * static_cast<double>(longest));
 }
 
 double x_of(const Axes& a, double freedom) {
@@ -199,8 +207,9 @@ std::string names(const Axes& a, double top) {
         fmt::format(" transform=\"rotate(-45 {:.2f} {:.2f})\"", labels[i] + 4, top + 24));
     ++i;
   }
-  return drawing +
-         text((kLeft + kWidth - kRight) / 2, top + kNamesHeight, "middle", "robot, degrees of freedom (linear scale)");
+  return drawing + text(
+                       (kLeft + kWidth - kRight) / 2, top + names_height(a), "middle",
+                       "robot, degrees of freedom (linear scale)");
 }
 
 std::string curve(const Axes& a, double top, const ChartSeries& series) {
@@ -260,7 +269,7 @@ std::string svg(const std::vector<ChartPanel>& panels) {
     top += kPanelHeight;
   }
   drawing += names(a, top);
-  const double height = top + kNamesHeight + 14;
+  const double height = top + names_height(a) + 14;
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" height=\"{1:.0f}\" "
              "font-family=\"system-ui, sans-serif\" font-size=\"13\" fill=\"{2}\">\n"

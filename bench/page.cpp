@@ -71,7 +71,46 @@ void add(const Row& head, const Row& row, Results& results) {
   }
 }
 
+// Adds a cell such as `13.0 (8.0; 2.6)`.
+void add(const std::string& quantity, const std::string& cell, Results& results) {
+  std::string ratios = cell;
+  std::replace_if(
+      ratios.begin(), ratios.end(), [](char c) { return c == '(' || c == ')' || c == ';'; }, ' ');
+  std::istringstream numbers(ratios);
+  std::string text;
+  numbers >> text;
+  const double own = number(text);
+  results.functions.push_back({quantity, quantity, {own, own, own}, {}});
+  results.compared[quantity] = quantity;
+  for (const std::string& peer : results.peers) {
+    if (!(numbers >> text)) throw std::runtime_error(fmt::format("'{}' has too few ratios", cell));
+    const double time = own * number(text);
+    results.peer_times.push_back({peer, quantity, {time, time, time}});
+  }
+}
+
 }  // namespace
+
+std::vector<Results> read_generators(const std::string& page, const std::vector<std::string>& peers) {
+  std::vector<Results> robots;
+  std::istringstream lines(page);
+  std::string line;
+  Row head;
+  while (std::getline(lines, line)) {
+    const Row row = cells(line);
+    if (head.empty() && row.size() > 1 && row[0] == "robot, DoF" && row[1] == title("inverse_dynamics")) {
+      head = row;
+      std::getline(lines, line);  // of dashes
+    } else if (!head.empty()) {
+      if (row.size() != head.size() || row[0] == "geometric mean") break;
+      robots.push_back(robot(row[0]));
+      robots.back().peers = peers;
+      for (std::size_t i = 1; i < row.size(); ++i) add(quantity_of(head[i]), row[i], robots.back());
+    }
+  }
+  if (robots.empty()) throw std::runtime_error("no table 'robot, DoF | inverse dynamics | …' of times and ratios");
+  return robots;
+}
 
 std::vector<Results> read_page(const std::string& page) {
   std::vector<Results> robots;

@@ -13,4 +13,8 @@ namespace robcogen::bench {
 // the page has no such table, or a row of it cannot be read.
 std::vector<Results> read_page(const std::string& page);
 
+// The robots of the table `robot, DoF | inverse dynamics | …` of other generators, whose cells hold the time of the
+// generated code and, in brackets, the ratio of each peer: `13.0 (8.0; 2.6)`. Throws as read_page does.
+std::vector<Results> read_generators(const std::string& page, const std::vector<std::string>& peers);
+
 }  // namespace robcogen::bench

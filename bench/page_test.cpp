@@ -69,5 +69,23 @@ TEST(Page, RefusesWhatItCannotRead) {
     EXPECT_THROW(read_page(head + row), std::runtime_error) << row;
 }
 
+TEST(Page, ReadsTheTableOfGenerators) {
+  const std::string head = "| robot, DoF | inverse dynamics | inertia matrix |\n| --- | --- | --- |\n";
+  const std::string page = "# Text\n\n" + head +
+                           "| Leg, 2 | 13.0 (8.0; 2.6) | 10 (7; 2) |\n| Dog, 6 + 12 | 20 (2; 3) | 30 (4; 5) |\n"
+                           "| geometric mean | 9.1; 4.7 | 8.9; 4.2 |\n";
+  const std::vector<Results> robots = read_generators(page, {"A", "B"});
+  ASSERT_EQ(robots.size(), 2);
+  EXPECT_EQ(robots[1].robot, "Dog");
+  EXPECT_TRUE(robots[1].floating_base);
+  const std::vector<Comparison> of_leg = comparisons(robots[0]);
+  ASSERT_EQ(of_leg.size(), 2);
+  EXPECT_EQ(of_leg[0].time.median, 13);
+  EXPECT_EQ(of_leg[0].peers.at(0).time.median, 104);
+  EXPECT_EQ(of_leg[1].peers.at(1).ratio, 2);
+  for (const char* row : {"", "| Leg, 2 | 13.0 (8.0) | 10 (7; 2) |\n", "| Leg | 13.0 (8.0; 2.6) | 10 (7; 2) |\n"})
+    EXPECT_THROW(read_generators(head + row, {"A", "B"}), std::runtime_error) << row;
+}
+
 }  // namespace
 }  // namespace robcogen::bench

@@ -62,6 +62,13 @@ TEST(Pictures, ChartIsThatOfTheTables) {
       << "bench/chart.svg does not show the tables of bench/FIGURES.md: build the target update_documents";
 }
 
+TEST(Pictures, ChartOfGeneratorsIsThatOfTheTable) {
+  const std::string drawing = draw("'" ROBCOGEN_DRAW_CHART "' --generators '" ROBCOGEN_SOURCE_DIR "/bench/README.md'");
+  EXPECT_NE(drawing.find("RobCoGen 5.0.1, TALOS"), std::string::npos);
+  EXPECT_EQ(drawing, read_text(source_folder() / "bench/generators.svg"))
+      << "bench/generators.svg does not show the table of bench/README.md: build the target update_documents";
+}
+
 TEST(Pictures, HopIsThatOfTheDemo) {
   expect_same(draw("'" ROBCOGEN_HOP "'"), "robots/demo/hop.svg", 1000);
 }
