@@ -29,7 +29,7 @@ std::string messages_of(const path& document) {
     const auto robot = language::kinematics::parse(test::source_of_golden(document), diagnostics);
     if (document.stem() == "not-original") language::kinematics::is_original(robot, diagnostics);
   }
-  return diagnostics.render();
+  return diagnostics.render({.folds_notes = false});
 }
 
 class Messages : public testing::TestWithParam<path> {};

@@ -38,7 +38,7 @@ KinematicTree two_legs() {
   }
   Diagnostics diagnostics;
   const auto tree = model::build(d, diagnostics);
-  EXPECT_TRUE(tree.has_value()) << diagnostics.render(ErrorFormat::gnu);
+  EXPECT_TRUE(tree.has_value()) << diagnostics.render();
   return *tree;
 }
 

@@ -95,7 +95,7 @@ class RobotsWithLimbs {
     }
     Diagnostics diagnostics;
     const auto tree = model::build(d, diagnostics);
-    EXPECT_TRUE(tree.has_value()) << diagnostics.render(ErrorFormat::gnu);
+    EXPECT_TRUE(tree.has_value()) << diagnostics.render();
     limbs_ = limbs;
     length_ = length;
     return *tree;

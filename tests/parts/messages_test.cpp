@@ -20,7 +20,7 @@ std::string messages_of(const path& document) {
   const auto read = import::robot_document(source, {}, diagnostics);
   EXPECT_EQ(read.has_value(), !diagnostics.has_errors());
   if (read) import::kinematic_tree(read->document, diagnostics);
-  std::string text = diagnostics.render();
+  std::string text = diagnostics.render({.folds_notes = false});
   const std::string prefix = folder().string() + "/";
   for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
   return text;

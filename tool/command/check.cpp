@@ -39,7 +39,7 @@ Status check(const CheckOptions& options) {
   for (const std::string& file : options.files)
     (driver::language_of_suffix(file) == driver::Language::desired ? lists : models).push_back(file);
   for (const std::string& model : models) require_format(model, options.format);
-  report_missing_folders(options.import_folders, options.error_format);
+  report_missing_folders(options.import_folders, options.messages);
   Diagnostics diagnostics;
   for (const std::string& model : models) {
     const auto loaded = driver::load(
@@ -60,7 +60,7 @@ Status check(const CheckOptions& options) {
       language::desired::parse(driver::read_source(list), diagnostics);
   }
   if (options.strict) driver::promote_strict_warnings(diagnostics);
-  report(diagnostics.render(options.error_format));
+  report(diagnostics.render(options.messages));
   return diagnostics.has_errors() ? wrong_input : ok;
 }
 

@@ -118,13 +118,17 @@ constexpr const char* kStrictHelp =
     "Treat warnings about the desired-transforms document, and about suspicious names and angles, as errors";
 constexpr const char* kForDevelopers = "For developers of the generator";
 
-void declare_error_format(CLI::App& subcommand, ErrorFormat& format) {
+void declare_messages(CLI::App& subcommand, Rendering& messages) {
   subcommand
       .add_option_function<std::string>(
           "--error-format",
-          [&format](const std::string& name) { format = name == "msvc" ? ErrorFormat::msvc : ErrorFormat::gnu; },
+          [&messages](const std::string& name) {
+            messages.format = name == "msvc" ? ErrorFormat::msvc : ErrorFormat::gnu;
+          },
           "Format of the positions in messages: gnu or msvc")
       ->check(one_of({"gnu", "msvc"}));
+  subcommand.add_flag(
+      "--verbose{false}", messages.folds_notes, "Show every note, where the same one applies to several places");
 }
 
 void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::path>& folders) {
@@ -218,7 +222,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       "inverse_dynamics:q,qd");
   declare_import_folders(subcommand, model.import_folders);
   declare_format_options(subcommand, model.format);
-  declare_error_format(subcommand, model.error_format);
+  declare_messages(subcommand, model.messages);
   return file;
 }
 
@@ -286,7 +290,7 @@ Action declare_check(CLI::App& application) {
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
   declare_format_options(*subcommand, options->format);
-  declare_error_format(*subcommand, options->error_format);
+  declare_messages(*subcommand, options->messages);
   return [options] { return check(*options); };
 }
 
@@ -351,7 +355,7 @@ Action declare_convert(CLI::App& application) {
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
   declare_format_options(*subcommand, options->format);
-  declare_error_format(*subcommand, options->error_format);
+  declare_messages(*subcommand, options->messages);
   return [options] { return convert(*options); };
 }
 

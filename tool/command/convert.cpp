@@ -180,6 +180,33 @@ void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
+// `c to e come after a, b comes first`: the fewest names that change their place, `declared` becoming `written`.
+std::string moved_names(const std::vector<std::string>& declared, const std::vector<std::string>& written) {
+  const std::size_t n = written.size();
+  std::vector<std::size_t> was(n), length(n, 1),
+      before(n, n);  // of the longest list that keeps its order and ends at i
+  for (std::size_t i = 0; i < n; ++i) {
+    was[i] = static_cast<std::size_t>(std::find(declared.begin(), declared.end(), written[i]) - declared.begin());
+    for (std::size_t k = 0; k < i; ++k)
+      if (was[k] < was[i] && length[k] >= length[i]) length[i] = length[k] + 1, before[i] = k;
+  }
+  std::vector<bool> stays(n, false);
+  for (auto i = static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin()); i < n;
+       i = before[i])
+    stays[i] = true;
+  std::vector<std::string> moves;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (stays[i]) continue;
+    std::size_t last = i;
+    while (last + 1 < n && !stays[last + 1] && was[last + 1] == was[last] + 1) ++last;
+    moves.push_back(fmt::format(
+        "{}{} come{} {}", written[i], last > i ? " to " + written[last] : "", last > i ? "" : "s",
+        i == 0 ? "first" : "after " + written[i - 1]));
+    i = last;
+  }
+  return fmt::format("{}", fmt::join(moves, ", "));
+}
+
 // Adds one note if the document declares joints in another order than the model, which changes the order of q.
 void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<int> order = exporting::joints_parents_first(robot.tree);
@@ -191,15 +218,18 @@ void mention_order(const fs::path& file, const Robot& robot, Diagnostics& diagno
   for (const int j : robot.tree.coordinates())
     if (robot.tree.joints[static_cast<std::size_t>(j)].is_first())
       declared.push_back(robot.tree.joints[static_cast<std::size_t>(j)].declared_name());
-  const model::Joint& first = robot.tree.joints.front();
-  diagnostics
-      .note(
-          "joint-order", first.place,
-          fmt::format(
-              "the robot document declares parents before their children, which changes the order of q to {}",
-              fmt::join(written, ", ")))
-      .hint =
-      fmt::format("code generated from {} has the order {}", file.filename().string(), fmt::join(declared, ", "));
+  if (written == declared) return;
+  constexpr std::size_t kMaxNames = 8;
+  const bool lists_names = written.size() <= kMaxNames;
+  const std::string name = file.filename().string();
+  Diagnostic& note = diagnostics.note(
+      "joint-order", robot.tree.joints.front().place,
+      fmt::format(
+          "the robot document declares parents before their children, which changes the order of q{} {}",
+          lists_names ? " to" : ":",
+          lists_names ? fmt::format("{}", fmt::join(written, ", ")) : moved_names(declared, written)));
+  note.hint = lists_names ? fmt::format("code generated from {} has the order {}", name, fmt::join(declared, ", "))
+                          : fmt::format("code generated from {} has its order", name);
 }
 
 // Impossible mass properties are warnings in a robot document, but errors in a URDF.
@@ -311,12 +341,12 @@ std::optional<Converted> convert_motions(const ConvertOptions& options, Diagnost
 
 Status convert(const ConvertOptions& options) {
   require_conversion(options);
-  report_missing_folders(options.import_folders, options.error_format);
+  report_missing_folders(options.import_folders, options.messages);
   Diagnostics diagnostics;
   const std::optional<Converted> converted = is_robot(driver::language_of(options.from))
                                                  ? convert_robot(options, diagnostics)
                                                  : convert_motions(options, diagnostics);
-  report(diagnostics.render(options.error_format));
+  report(diagnostics.render(options.messages));
   if (!converted) return wrong_input;
   write_file(options.to, converted->text, converted->read);
   return ok;

@@ -70,13 +70,13 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
                        model.string())};
 }
 
-void report_missing_folders(const std::vector<std::filesystem::path>& folders, ErrorFormat format) {
+void report_missing_folders(const std::vector<std::filesystem::path>& folders, const Rendering& messages) {
   Diagnostics diagnostics;
   std::error_code ignored;
   for (const std::filesystem::path& folder : folders)
     if (!std::filesystem::is_directory(folder, ignored))
       diagnostics.warning("no-import-folder", {}, fmt::format("-I: folder '{}' does not exist", folder.string()));
-  report(diagnostics.render(format));
+  report(diagnostics.render(messages));
 }
 
 void require_groups_of_transforms(const std::vector<std::string>& asked) {
@@ -99,7 +99,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
         wrong_usage, fmt::format(
                          "robcogen: error: {} applies to robots only, not to motions and transforms",
                          contacts.empty() ? "--frames" : "--contacts")};
-  if (!quiet) report_missing_folders(import_folders, error_format);
+  if (!quiet) report_missing_folders(import_folders, messages);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
   options.strict = strict;
@@ -113,7 +113,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.frames = frames;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
-  report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));
+  report((quiet ? errors_of(diagnostics) : diagnostics).render(messages));
   return model;
 }
 

@@ -44,7 +44,7 @@ struct ModelOptions {
   bool strict = false;
   FormatOptions format;
   std::vector<std::filesystem::path> import_folders;
-  ErrorFormat error_format = ErrorFormat::gnu;
+  Rendering messages;
   driver::Steps steps;
   std::vector<std::string> derivatives;  // `function:input,…`
   bool quiet = false;                    // prints no warnings and notes
@@ -71,7 +71,7 @@ std::vector<std::string> named_groups(const std::vector<std::string>& asked);
 void require_groups_of_transforms(const std::vector<std::string>& asked);
 
 // Reports a warning for each folder of imports that does not exist.
-void report_missing_folders(const std::vector<std::filesystem::path>& folders, ErrorFormat format);
+void report_missing_folders(const std::vector<std::filesystem::path>& folders, const Rendering& messages);
 
 // Throws a Failure if one of the options was given and the model is in a format that it does not apply to: other
 // documents say these things themselves.

@@ -16,7 +16,7 @@ namespace {
 
 language::kinematics::Document robot_document(const PrintOptions& options, Diagnostics& diagnostics) {
   if (!options.expand) return language::kinematics::parse(driver::read_source(options.model.file), diagnostics);
-  report_missing_folders(options.model.import_folders, options.model.error_format);
+  report_missing_folders(options.model.import_folders, options.model.messages);
   std::optional<import::RobotDocument> read =
       driver::load_robot_document(options.model.file, {.import_folders = options.model.import_folders}, diagnostics);
   if (!read) return {};
@@ -59,7 +59,7 @@ Status print_document(const PrintOptions& options) {
                          options.original ? "original" : "expand")};
   Diagnostics diagnostics;
   const std::string text = canonical_text(options, diagnostics);
-  report(diagnostics.render(options.model.error_format));
+  report(diagnostics.render(options.model.messages));
   if (diagnostics.has_errors()) return wrong_input;
   write_output(text);
   return ok;

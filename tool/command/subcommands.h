@@ -32,7 +32,7 @@ struct CheckOptions {
   std::vector<std::filesystem::path> import_folders;
   FormatOptions format;
   bool strict = false;
-  ErrorFormat error_format = ErrorFormat::gnu;
+  Rendering messages;
 };
 Status check(const CheckOptions& options);
 
@@ -76,7 +76,7 @@ struct ConvertOptions {
   bool strict = false;
   std::vector<std::filesystem::path> import_folders;
   FormatOptions format;
-  ErrorFormat error_format = ErrorFormat::gnu;
+  Rendering messages;
 };
 Status convert(const ConvertOptions& options);
 

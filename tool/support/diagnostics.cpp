@@ -1,8 +1,10 @@
 #include "support/diagnostics.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace robcogen {
@@ -126,6 +128,24 @@ std::string render_one(const Diagnostic& d, ErrorFormat format) {
   return out;
 }
 
+// The line after the first of several notes with one code: where the others are.
+std::string more_like_it(const std::vector<const Diagnostic*>& notes) {
+  constexpr std::size_t kMaxLines = 8;
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 1; i < notes.size(); ++i) {
+    const Place place = written_at(notes[i]->place);
+    if (place.source) lines.push_back(place.source->locate(place.span.begin).line);
+  }
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  const bool has_more = lines.size() > kMaxLines;
+  if (has_more) lines.resize(kMaxLines);
+  return fmt::format(
+      "… and {} more note{} [{}]{}{}; --verbose shows all\n", notes.size() - 1, notes.size() == 2 ? "" : "s",
+      notes.front()->code,
+      lines.empty() ? "" : fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, ", ")),
+      has_more ? ", …" : "");
+}
+
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -184,6 +204,10 @@ Diagnostic& Diagnostics::note(std::string code, Place place, std::string message
   return add({Severity::note, std::move(code), std::move(message), std::move(place), {}, {}, {}});
 }
 
+void Diagnostics::summarise_notes(const std::string& code, std::string message) {
+  summaries_[code] = std::move(message);
+}
+
 Diagnostic& Diagnostics::add(Diagnostic diagnostic) {
   std::size_t& count = diagnostic.severity == Severity::error ? errors_added_ : warnings_added_;
   return ++count <= kMaxKept ? list_.emplace_back(std::move(diagnostic)) : unkept_ = std::move(diagnostic);
@@ -203,7 +227,8 @@ void Diagnostics::promote_warnings(const std::vector<std::string>& codes) {
     if (std::find(codes.begin(), codes.end(), d.code) != codes.end()) d.severity = Severity::error;
 }
 
-std::string Diagnostics::render(ErrorFormat format, std::size_t max_errors) const {
+std::string Diagnostics::render(const Rendering& rendering) const {
+  const auto& [format, folds_notes, max_errors] = rendering;
   std::vector<const Diagnostic*> sorted;
   std::vector<const Source*> sources;  // in the order of their first diagnostic
   for (const Diagnostic& d : list_) {
@@ -218,11 +243,25 @@ std::string Diagnostics::render(ErrorFormat format, std::size_t max_errors) cons
   };
   std::stable_sort(
       sorted.begin(), sorted.end(), [&](const Diagnostic* a, const Diagnostic* b) { return rank(a) < rank(b); });
+  std::map<std::pair<std::string, const Source*>, std::vector<const Diagnostic*>> alike;
+  if (folds_notes)
+    for (const Diagnostic* d : sorted)
+      if (d->severity == Severity::note) alike[{d->code, written_at(d->place).source.get()}].push_back(d);
   std::string out;
   std::size_t errors = 0, warnings = 0;
   for (const Diagnostic* d : sorted) {
+    const auto notes = alike.find({d->code, written_at(d->place).source.get()});
+    const bool is_folded = notes != alike.end() && notes->second.size() > 1 && d->severity == Severity::note;
+    if (is_folded && d != notes->second.front()) continue;
     std::size_t& count = is_error(*d) ? errors : warnings;
-    if (++count <= max_errors) out += render_one(*d, format);
+    if (++count > max_errors) continue;
+    const auto summary = is_folded ? summaries_.find(d->code) : summaries_.end();
+    if (summary != summaries_.end()) {
+      out += head(written_at(d->place), "note", d->code, summary->second, format);
+    } else {
+      out += render_one(*d, format);
+      if (is_folded) out += more_like_it(notes->second);
+    }
   }
   const std::size_t more_errors = beyond(errors + beyond(errors_added_, kMaxKept), max_errors);
   const std::size_t more_warnings = beyond(warnings + beyond(warnings_added_, kMaxKept), max_errors);

@@ -9,6 +9,7 @@
 //     hint: did you mean 'HFE'?
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ namespace robcogen {
 
 enum class Severity { note, warning, error };
 enum class ErrorFormat { gnu, msvc };
+
+// How messages are shown.
+struct Rendering {
+  ErrorFormat format = ErrorFormat::gnu;
+  bool folds_notes = true;       // notes about one source with the same code become one
+  std::size_t max_errors = 100;  // so many errors, and as many warnings and notes
+};
 
 // A place in a source; `source` is null if there is none.
 struct Place {
@@ -52,20 +60,23 @@ class Diagnostics {
   Diagnostic& warning(std::string code, Place place, std::string message);
   // Information about how the input was read; nothing is wrong.
   Diagnostic& note(std::string code, Place place, std::string message);
+  // One sentence that stands for all notes of this code where they are folded.
+  void summarise_notes(const std::string& code, std::string message);
 
   bool has_errors() const;
   std::size_t error_count() const;
   const std::vector<Diagnostic>& all() const { return list_; }
   // `--strict`: the named warnings become errors.
   void promote_warnings(const std::vector<std::string>& codes);
-  // Shows at most `max_errors` errors, and as many warnings and notes, in full, then a line that counts the rest. They
-  // are sorted by source and place.
-  std::string render(ErrorFormat format = ErrorFormat::gnu, std::size_t max_errors = 100) const;
+  // All that are shown, sorted by source and place, and a line that counts the rest. Folded notes are shown as their
+  // summary, or else as the first of them and the lines of the others.
+  std::string render(const Rendering& rendering = {}) const;
 
  private:
   Diagnostic& add(Diagnostic diagnostic);
 
   std::vector<Diagnostic> list_;
+  std::map<std::string, std::string> summaries_;  // of notes, by code
   Diagnostic unkept_;
   std::size_t errors_added_ = 0;
   std::size_t warnings_added_ = 0;

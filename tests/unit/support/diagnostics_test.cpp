@@ -48,7 +48,7 @@ TEST(Diagnostics, SpeakTheFormatOfVisualStudioToo) {
   Diagnostics diagnostics;
   diagnostics.warning("a-code", place(text, "b"), "a message").notes.push_back({place(text, "a"), "a note"});
   EXPECT_EQ(
-      diagnostics.render(ErrorFormat::msvc),
+      diagnostics.render({ErrorFormat::msvc}),
       "arm.kindsl(1,3): warning a-code: a message\n    a b\n      ^\n"
       "arm.kindsl(1,1): note: a note\n    a b\n    ^\n");
 }
@@ -149,11 +149,29 @@ TEST(Diagnostics, ShowSoManyErrorsAndCountTheRest) {
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < 3; ++i) diagnostics.warning("w", {text, {i, i + 1}}, "warning " + std::to_string(i));
   for (std::size_t i = 0; i < 4; ++i) diagnostics.error("e", {text, {i, i + 1}}, "error " + std::to_string(i));
-  const std::string shown = diagnostics.render(ErrorFormat::gnu, 2);
+  const std::string shown = diagnostics.render({.max_errors = 2});
   // warnings do not hide errors
   EXPECT_NE(shown.find("error 1"), std::string::npos);
   EXPECT_EQ(shown.find("error 2"), std::string::npos);
   EXPECT_TRUE(shown.ends_with("… and 2 more errors\n… and 1 more warnings\n")) << shown;
+}
+
+TEST(Diagnostics, FoldRepeatedNotes) {
+  const auto robot = source("a\nb\nc\nd", "robot"), other = source("a", "other");
+  Diagnostics diagnostics;
+  for (const char* name : {"a", "b", "d"}) diagnostics.note("snapped", place(robot, name), name);
+  diagnostics.note("snapped", place(other, "a"), "elsewhere");
+  diagnostics.warning("snapped", place(robot, "c"), "a warning");
+  EXPECT_EQ(
+      diagnostics.render(),
+      "robot:1:1: note: a [snapped]\n    a\n    ^\n… and 2 more notes [snapped], lines 2, 4; --verbose shows all\n"
+      "robot:3:1: warning: a warning [snapped]\n    c\n    ^\nother:1:1: note: elsewhere [snapped]\n    a\n    ^\n");
+  diagnostics.summarise_notes("snapped", "3 of them");
+  const std::string summarised = diagnostics.render();
+  EXPECT_TRUE(summarised.starts_with("robot:1:1: note: 3 of them [snapped]\nrobot:3:1: warning")) << summarised;
+  const std::string all = diagnostics.render({.folds_notes = false});
+  for (const char* line : {"robot:1:1: note: a ", "robot:2:1: note: b ", "robot:4:1: note: d ", "other:1:1"})
+    EXPECT_NE(all.find(line), std::string::npos) << all;
 }
 
 TEST(Diagnostics, AreBoundedInNumber) {

@@ -1,6 +1,8 @@
 // Finds angles that are multiples of PI/12 up to the rounding of their decimals.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +43,7 @@ class Snapper {
       const std::optional<Snap> snap = near_multiple(angle);
       if (!snap) continue;
       if (++count_ == 1) first_ = origin.rpy_places[i];
+      largest_change_ = std::max(largest_change_, std::abs(snap->change));
       if (!snap_) continue;
       diagnostics_.note(
           "angle-snapped", origin.rpy_places[i],
@@ -52,7 +55,16 @@ class Snapper {
   }
 
   void note_count() const {
-    if (snap_ || count_ == 0) return;
+    if (count_ == 0) return;
+    if (snap_) {
+      diagnostics_.summarise_notes(
+          "angle-snapped",
+          fmt::format(
+              "{} angles become the multiples of PI/12 next to them, the largest change is {:.1e} rad; "
+              "--verbose lists them",
+              count_, largest_change_));
+      return;
+    }
     diagnostics_
         .note(
             "angles-near-multiples", first_,
@@ -68,6 +80,7 @@ class Snapper {
   bool snap_;
   Diagnostics& diagnostics_;
   int count_ = 0;
+  double largest_change_ = 0.0;  // rad
   Place first_;
 };
 
