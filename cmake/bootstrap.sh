@@ -19,7 +19,7 @@ test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-k
   chromium python3-dev python3-numpy groff-base)
 more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
-  python3-matplotlib mypy neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros)
+  python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros)
 
 usage() {
   sed -n '2,10s/^# \{0,1\}//p' cmake/bootstrap.sh

@@ -404,8 +404,10 @@ Action declare_draw(CLI::App& application) {
       ->check(CLI::Range(-360.0, 360.0));
   subcommand->add_option("--elevation", options->elevation, "Elevation of the viewer, in degrees towards z; default 20")
       ->check(CLI::Range(-90.0, 90.0));
-  subcommand->add_flag(
+  CLI::Option* pattern = subcommand->add_flag(
       "--pattern", options->pattern, "Also draw which elements of the joint-space inertia matrix are zero");
+  subcommand->add_flag("--plain", options->plain, "A small picture of links, joint axes and the base only")
+      ->excludes(pattern);
   return [options] { return draw(*options); };
 }
 

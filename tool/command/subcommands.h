@@ -65,6 +65,7 @@ struct ViewOptions {
   std::vector<std::string> q, parameters;  // values in order, `0.1`, or by name, `KFE=0.1`
   double azimuth = -60, elevation = 20;    // of the viewer, degrees
   bool pattern = false;                    // also draw the pattern of the joint-space inertia matrix
+  bool plain = false;                      // draw links, joint axes and the base only
 };
 Status draw(const ViewOptions& options);
 Status view(const ViewOptions& options);

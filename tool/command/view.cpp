@@ -152,7 +152,7 @@ Status draw(const ViewOptions& options) {
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
   const view::ViewedRobot robot = view::viewed(*model, view::Purpose::drawing);
-  view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr};
+  view::DrawingOptions drawing = {options.azimuth, options.elevation, nullptr, options.plain};
   view::Pattern pattern;
   if (options.pattern) {
     pattern = view::inertia_pattern(*model);

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kPaper = 640;   // pixels, of the robot and of the pattern
 constexpr double kCaption = 34;  // pixels, of the title and of the legend
+constexpr double kPlain = 280;   // pixels, of the paper of a plain drawing, of which kBorder is cut off at each side
+constexpr double kBorder = 38;
 
 // Colours of medium lightness, which stand out from both white and black.
 constexpr const char* kStyle =
@@ -191,6 +193,7 @@ std::string robot_elements(const ViewedRobot& robot, const Posture& posture, con
   for (std::size_t j = 0; j < joints.size(); ++j)
     if (is_first(j)) add_joint(d, joints[j], j);
   for (const ViewedLoop& loop : robot.loops) add_loop(d, loop);
+  if (options.is_plain) return d.canvas.elements(0, 0, kPlain);
   add_frame(d, d.link(0), 0.12 * d.length);
   for (std::size_t f = 0; f < robot.frames.size(); ++f)
     if (robot.frames[f].kind == ViewedFrame::Kind::user) add_frame(d, posture.frames[f], 0.06 * d.length);
@@ -279,6 +282,13 @@ Pattern inertia_pattern(const driver::Model& model) {
 }
 
 std::string draw(const ViewedRobot& robot, const Posture& posture, const DrawingOptions& options) {
+  if (options.is_plain)
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0:.0f} {0:.0f} {1:.0f} {1:.0f}\" "
+               "width=\"{1:.0f}\" "
+               "height=\"{1:.0f}\" fill=\"none\">\n<title>{2}</title>\n",
+               kBorder, kPlain - 2 * kBorder, escaped(robot.library.title())) +
+           kStyle + robot_elements(robot, posture, options) + "</svg>\n";
   const double width = options.pattern ? 2 * kPaper : kPaper, height = kPaper + 2 * kCaption;
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "

@@ -21,10 +21,11 @@ Pattern inertia_pattern(const driver::Model& model);
 struct DrawingOptions {
   double azimuth = -60, elevation = 20;  // of the viewer as seen from the robot, degrees
   const Pattern* pattern = nullptr;      // drawn next to the robot; null: none
+  bool is_plain = false;                 // a small picture of links, joint axes and the base, without a word
 };
 
 // Draws links as bars between the origins of their joints, joint axes, user frames with names, and centres of mass. The
-// text depends on the arguments alone.
+// text depends on the arguments alone. A plain drawing has no pattern.
 std::string draw(const ViewedRobot& robot, const Posture& posture, const DrawingOptions& options);
 
 }  // namespace robcogen::view

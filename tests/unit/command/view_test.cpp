@@ -31,6 +31,19 @@ TEST(Draw, WritesADrawing) {
   EXPECT_NE(with_pattern.find(text.substr(first, text.rfind("<text", last) - first)), std::string::npos);
 }
 
+TEST(Draw, PlainlyHasJointsAndNoWords) {
+  const Scratch scratch("draw-plain");
+  const std::string command = "draw " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "hyl.svg") + " --plain";
+  EXPECT_EQ(run_tool(command).status, 0);
+  const std::string text = read_text(scratch.path / "hyl.svg");
+  EXPECT_NE(text.find("class=\"hub\""), std::string::npos);
+  EXPECT_EQ(text.find("<text"), std::string::npos);
+  EXPECT_LT(text.size(), 4000U);
+  const Outcome both = run_tool(command + " --pattern");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.errors.find("--plain excludes --pattern"), std::string::npos) << both.errors;
+}
+
 // Positions are given by the names of their elements; a quaternion of any length but zero is a rotation.
 TEST(Draw, TakesQuaternions) {
   const Scratch scratch("draw-spherical");
