@@ -154,6 +154,19 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
   subcommand.add_option("--robot", format.robot, "MJCF: the first body of the robot, if the model has several robots");
+  subcommand
+      .add_option(
+          "--lock", format.changes.locks,
+          "Joints at a constant position (rad, m), which are removed from the robot, and parameters with a constant "
+          "value: 'elbow = 0.3', 'hand_* = 0  wrist = PI/2', for a spherical joint 'ball = (1, 0, 0, 0)'")
+      ->allow_extra_args(false)
+      ->type_name("'JOINT = POSITION'");
+  subcommand
+      .add_option(
+          "--keep", format.changes.kept,
+          "The only joints that remain, by name or pattern: all others are locked, at zero or where --lock puts them")
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
