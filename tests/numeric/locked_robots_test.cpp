@@ -177,6 +177,14 @@ void expect_same_frames(
   }
 }
 
+// Values of the parameters: each mass property is larger in the same ratio, so that it remains that of a body.
+std::vector<double> larger_than_defaults(const KinematicTree& tree) {
+  std::vector<double> values;
+  for (const model::Parameter& p : tree.parameters)
+    values.push_back(*p.default_value * (p.name.find("_com_") == std::string::npos ? 1.25 : 1.0));
+  return values;
+}
+
 class LockedRobots : public testing::TestWithParam<int> {};
 
 TEST_P(LockedRobots, MoveLikeTheWholeRobot) {
@@ -188,9 +196,13 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobot) {
     if (i % 3 == 0) made = with_spherical_joints(made, seed, false);
     if (i % 3 == 1) made = coupled(made, seed).robot;
     const language::kinematics::Document document = exporting::kinematics_document(made);
-    const KinematicTree whole = tree_of(document, {});
+    // Some masses are parameters, too.
+    model::Changes parametric;
+    if (i % 5 == 0) parametric.parameters.push_back({"*.inertia", {}});
+    const KinematicTree whole = tree_of(document, parametric);
     const Positions positions = random_positions(whole, dice);
     model::Changes changes = changes_of(positions);
+    changes.parameters = parametric.parameters;
     if (positions.empty()) continue;
     if (i % 4 == 0)
       for (const int joint : whole.coordinates()) {
@@ -201,8 +213,9 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobot) {
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + describe(whole));
     ASSERT_LT(reduced.dof(), whole.dof());
 
-    const InterpretedRobot robot(reduced, {}, {});
-    const reference::Tables tables = reference_tables(whole);
+    const std::vector<double> of_whole = larger_than_defaults(whole), of_reduced = larger_than_defaults(reduced);
+    const InterpretedRobot robot(reduced, {}, {}, of_reduced);
+    const reference::Tables tables = reference_tables(whole, of_whole);
     const Whole map(whole, reduced, positions);
     std::mt19937_64 engine(seed);
     const Motion<double> m = reference::random_sample(engine, robot.tables()).motion;
@@ -218,6 +231,32 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobot) {
     if (whole.floating_base) arguments.gravity = &loads.gravity;
     EXPECT_LT(relative(robot.inverse_dynamics_fully_actuated(m, arguments), wanted), kSame);
     if (HasFailure()) return;
+  }
+}
+
+// Quantities that become parameters have the numbers of the document as defaults.
+TEST_P(LockedRobots, WithParametersHaveTheNumbersOfTheDocument) {
+  for (int i = GetParam(); i < locked_count(); i += kShards) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    const KinematicTree made = with_random_drives(random_robot(seed, {.min_joints = 2, .max_joints = 12}), seed);
+    const language::kinematics::Document document = exporting::kinematics_document(made);
+    const KinematicTree constant = tree_of(document, {});
+    const bool moves = made.floating_base || made.links.size() > 1;
+    model::Changes changes;
+    for (const char* pattern : {"*.placement", "*.inertia", "*.rotor", "*.damping"})
+      if (moves && (std::string(pattern) != "*.rotor" || constant.has_rotors()))
+        changes.parameters.push_back({pattern, {}});
+    const KinematicTree tree = tree_of(document, changes);
+    EXPECT_GT(tree.parameters.size(), 6 * tree.joints.size());
+    std::vector<double> defaults;
+    for (const model::Parameter& p : tree.parameters) defaults.push_back(p.default_value.value());
+    const InterpretedRobot robot(tree, {}, {}, defaults);
+    const reference::Tables tables = reference_tables(constant);
+    std::mt19937_64 engine(seed);
+    const Motion<double> m = reference::random_sample(engine, robot.tables()).motion;
+    EXPECT_LT(relative(robot.joint_space_inertia(m.q), reference::joint_space_inertia(tables.robot(), m.q)), kSame)
+        << "seed " << seed << "\n"
+        << describe(constant);
   }
 }
 

@@ -57,7 +57,9 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
     throw Failure{
         wrong_usage, fmt::format(
                          "robcogen: error: {} applies to robots only, not to motions and transforms",
-                         options.changes.locks.empty() ? "--keep" : "--lock")};
+                         !options.changes.locks.empty()  ? "--lock"
+                         : !options.changes.kept.empty() ? "--keep"
+                                                         : "--parameters")};
   const bool for_urdf = urdf.floating_base || urdf.snap_angles || urdf.passive_forces || urdf.allow_implausible;
   if (!for_urdf && !urdf.free_mimic_joints && options.robot.empty()) return;
   const driver::Language language = driver::language_of(model);

@@ -127,13 +127,20 @@ class LockReader {
   }
 };
 
+std::vector<model::NamePattern> patterns(const std::string& option, const std::vector<std::string>& words) {
+  const std::vector<Place> places = places_of(option, words);
+  std::vector<model::NamePattern> result;
+  for (std::size_t k = 0; k < words.size(); ++k) result.push_back({words[k], places[k]});
+  return result;
+}
+
 }  // namespace
 
 model::Changes read_changes(const ChangeOptions& options, Diagnostics& diagnostics) {
   model::Changes changes;
   changes.locks = LockReader(options.locks, diagnostics).read();
-  const std::vector<Place> places = places_of("--keep", options.kept);
-  for (std::size_t k = 0; k < options.kept.size(); ++k) changes.kept.push_back({options.kept[k], places[k]});
+  changes.kept = patterns("--keep", options.kept);
+  changes.parameters = patterns("--parameters", options.parameters);
   return changes;
 }
 

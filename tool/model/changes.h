@@ -1,4 +1,5 @@
-// What a user changes in a robot before it is built: joints and parameters that become constant.
+// What a user changes in a robot before it is built: joints and parameters that become constant, and constants that
+// become parameters.
 #pragma once
 
 #include <array>
@@ -27,11 +28,15 @@ struct Changes {
   std::vector<Lock> locks = {};        // of two that name one joint, the later one counts
   std::vector<NamePattern> kept = {};  // if there are any, all other joints are locked, at zero if no lock names them
 
-  bool empty() const { return locks.empty() && kept.empty(); }
+  std::vector<NamePattern> parameters = {};  // quantities that become parameters: see parametrise.h
+
+  bool has_locks() const { return !locks.empty() || !kept.empty(); }
+  bool empty() const { return !has_locks() && parameters.empty(); }
 };
 
-// Changes the description, then builds it like build(description, diagnostics). Links beyond locked joints become part
-// of the links that carry them: masses are lumped, and their frames, and those of the joints, remain as user frames.
+// Changes the description, parameters first, then builds it like build(description, diagnostics). Links beyond locked
+// joints become part of the links that carry them: masses are lumped, and their frames, and those of the joints, remain
+// as user frames.
 // - A joint that follows locked joints through couplings or loops is locked where they put it. A joint with a locked
 //   follower is locked too, if the follower determines its position.
 // - A loop whose other joints can still move is assembled near the locked position.

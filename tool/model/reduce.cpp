@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "model/about_origin.h"
 #include "model/changes.h"
 #include "model/locked_joints.h"
+#include "model/parametrise.h"
 #include "model/plausibility.h"
 #include "model/quantities.h"
 #include "model/rotations.h"
@@ -188,10 +190,7 @@ class Reduction {
       link.inertia_place = own(parts.front()).inertia_place;
       link.mass_place = own(parts.front()).mass_place;
     }
-    Inertia lumped = {sum.mass, {}, sum.ixx, sum.iyy, sum.izz, sum.ixy, sum.ixz, sum.iyz, {}};
-    if (!sum.mass.is_zero())
-      for (std::size_t k = 0; k < 3; ++k) lumped.com[k] = sum.first_moment[k] / sum.mass;
-    link.inertia = std::move(lumped);
+    link.inertia = about_origin(sum);
   }
 
   // The carrier of a rotor may have become part of another link.
@@ -300,11 +299,12 @@ std::optional<KinematicTree> build(const Description& description, const Changes
   if (changes.empty()) return build(description, diagnostics);
   const std::size_t errors_before = diagnostics.error_count();
   Description whole = description;
+  add_parameters(whole, changes.parameters, diagnostics);
   lock_parameters(whole, changes, diagnostics);
   Diagnostics of_whole;
   const std::optional<KinematicTree> tree = build(whole, of_whole);
   append(of_whole, diagnostics, [](const Diagnostic& d) { return !is_inertia_defect(d); });
-  if (!tree || diagnostics.error_count() > errors_before) return std::nullopt;
+  if (!changes.has_locks() || !tree || diagnostics.error_count() > errors_before) return std::nullopt;
   const std::optional<LockedJoints> locked = locked_joints(whole, *tree, changes, diagnostics);
   if (!locked) return std::nullopt;
   const std::optional<Description> reduced = Reduction(whole, *locked, first_place(changes), diagnostics).run();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "documents.h"
 #include "driver/load.h"
@@ -236,6 +237,97 @@ TEST_F(Changes, LeaveOutActuators) {
   text.insert(text.rfind('}'), "actuators { ram { from = fr_upper  to = grip } }");
   EXPECT_EQ(joints(text, {.locks = {"elbow = 0.3"}}), "shoulder finger_a finger_b thumb ball") << diagnostics.render();
   EXPECT_EQ(note("locked-actuator"), "actuator 'ram' is left out: locked joints connect its ends");
+}
+
+// The parameters with their default values.
+std::string parameters_of(const Model& model) {
+  std::string text;
+  for (const model::Parameter& p : model.parameters())
+    text += (text.empty() ? "" : " ") + p.name + "[" + print_double(p.default_value.value_or(0.5)) + "]";
+  return text;
+}
+
+TEST_F(Changes, MakeParameters) {
+  const auto made = [&](const std::vector<std::string>& parameters, const std::vector<std::string>& locks = {}) {
+    const std::optional<Model> model = change(kHand, {.locks = locks, .parameters = parameters});
+    return model ? parameters_of(*model).substr(std::string("height[0.5] tilt[0.1]").size()) : errors();
+  };
+  EXPECT_EQ(made({"upper.mass", "eye.com"}), " upper_mass[2.0] eye_com_x[0.0] eye_com_y[0.0] eye_com_z[0.2]");
+  EXPECT_EQ(
+      made({"palm.inertia"}),
+      " palm_mass[1.0] palm_com_x[0.25] palm_com_y[0.0] palm_com_z[0.0] palm_ixx[0.01] palm_iyy[0.08] palm_izz[0.08] "
+      "palm_ixy[0.0] palm_ixz[0.0] palm_iyz[0.0]");
+  EXPECT_EQ(made({"tip_?.mass"}), " tip_a_mass[0.1] tip_b_mass[0.1] tip_c_mass[0.1]");
+  EXPECT_EQ(made({"finger_a.translation"}), " finger_a_x[0.1] finger_a_y[0.02] finger_a_z[0.0]");
+  EXPECT_EQ(made({"grip.rotation"}), " grip_rx[0.0] grip_ry[0.0] grip_rz[" + print_double(std::acos(0.0)) + "]");
+  // What depends on parameters already remains.
+  EXPECT_EQ(made({"shoulder.placement"}), " shoulder_x[0.0] shoulder_y[0.0] shoulder_ry[0.0] shoulder_rz[0.0]");
+  EXPECT_EQ(made({"elbow.damping", "elbow.armature"}), " elbow_damping[0.0] elbow_armature[0.0]");
+  // A parameter of a locked link remains.
+  EXPECT_EQ(made({"palm.mass"}, {"elbow = 0.3"}), " palm_mass[1.0]");
+  EXPECT_EQ(made({"palm.mass"}, {"palm_mass = 2.0"}), "");
+}
+
+// A body at a frame adds to the link, about the frame; without mass, it adds nothing.
+TEST_F(Changes, AddBodiesAtFrames) {
+  const std::optional<Model> model = change(kHand, {.parameters = {"grip.inertia"}});
+  ASSERT_TRUE(model) << diagnostics.render();
+  const model::KinematicTree& tree = model->robot()->tree;
+  const model::KinematicTree before = change(kHand, {})->robot()->tree;
+  const auto inertia = [](const model::KinematicTree& t, const std::vector<double>& values) {
+    const model::RigidBodyInertia body = model::in_link_frame(*t.links[2].inertia);
+    std::vector<double> numbers;
+    for (const model::Quantity& q :
+         {body.mass, body.first_moment[0], body.first_moment[1], body.first_moment[2], body.ixx, body.iyy, body.izz,
+          body.ixy})
+      numbers.push_back(model::evaluate(q, values));
+    return numbers;
+  };
+  std::vector<double> values(tree.parameters.size());
+  std::vector<double> own = inertia(before, {0.5, 0.1});
+  std::vector<double> found = inertia(tree, values);
+  for (std::size_t k = 0; k < own.size(); ++k) EXPECT_NEAR(found[k], own[k], 1e-15) << k;
+  // A point mass of 2 kg at 0.1 m along x of the frame, which is turned by a quarter and 0.5 m from the link.
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (tree.parameters[k].name == "grip_mass") values[k] = 2.0;
+    if (tree.parameters[k].name == "grip_com_x") values[k] = 0.1;
+    if (tree.parameters[k].name == "grip_iyy" || tree.parameters[k].name == "grip_izz") values[k] = 2.0 * 0.01;
+  }
+  found = inertia(tree, values);
+  const double added[] = {2.0, 1.0, 0.2, 0.0, 2.0 * 0.01, 2.0 * 0.25, 2.0 * 0.26, 2.0 * 0.05};
+  for (std::size_t k = 0; k < own.size(); ++k) EXPECT_NEAR(found[k], own[k] + added[k], 1e-14) << k;
+}
+
+TEST_F(Changes, OfParametersThatNameNothingAreErrors) {
+  const auto made = [&](const std::string& text) { return joints(kHand, {.parameters = {text}}); };
+  EXPECT_EQ(
+      made("palm"),
+      "--parameters:1 'palm' is not the quantity of an element [parameter-syntax]; write link.mass, link.inertia, "
+      "frame.placement, joint.rotor, …");
+  EXPECT_EQ(
+      made("palm.masss"),
+      "--parameters:6 'masss' is not a quantity that can be a parameter [parameter-quantity]; did you mean 'mass'?");
+  EXPECT_EQ(
+      made("plam.mass"), "--parameters:1 robot 'Hand' has no link 'plam' [parameter-element]; did you mean 'palm'?");
+  EXPECT_EQ(
+      made("finger.placement"),
+      "--parameters:1 robot 'Hand' has no joint or frame 'finger' [parameter-element]; did you mean 'finger_a'?");
+  EXPECT_EQ(
+      made("fingr_*.damping"),
+      "--parameters:1 no joint of robot 'Hand' with 'damping' matches 'fingr_*' [parameter-element]; should it match "
+      "'finger_a'?");
+  EXPECT_EQ(made("elbow.rotor"), "--parameters:1 joint 'elbow' of the document has no rotor [parameter-rotor]");
+  EXPECT_EQ(
+      joints(replaced(kHand, "tilt[0.1]", "palm_mass[0.1]"), {.parameters = {"palm.mass"}}),
+      "--parameters:1 the robot already has a parameter 'palm_mass' [parameter-name]");
+}
+
+TEST_F(Changes, ThatHaveNoEffectGetAWarning) {
+  EXPECT_EQ(joints(kHand, {.parameters = {"base.mass"}}), "shoulder elbow finger_a finger_b thumb ball");
+  EXPECT_EQ(note("parameter-unused"), "the mass of the fixed base 'base' has no effect");
+  if (!READS_URDF) GTEST_SKIP() << "built without urdfdom";
+  load(folder.file("rods.urdf", kRodsUrdf), {.changes = {.parameters = {"elbow.damping"}}}, diagnostics = {});
+  EXPECT_EQ(note("parameter-unused"), "the dynamics does not include the damping of joints");
 }
 
 TEST_F(Changes, OfRobotsInUrdf) {
