@@ -10,6 +10,12 @@
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
 #       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [PASSIVE_FORCES]            # URDF: damping and friction of joints are part of the dynamics
+#       [LOCK joint = position…]    # joints that do not move, by name or pattern, which are removed from the robot; parameters
+#                                   # with a constant value
+#       [KEEP joint|pattern…]       # the only joints that remain; all others are locked, at zero or where LOCK puts them
+#       [PARAMETERS element.quantity…]
+#                                   # quantities that become parameters, such as tool0.inertia, *.mass, joint2.rotor; their
+#                                   # values in the document are the defaults
 #       [ROBOT body]                # MJCF: the robot among several in MODEL, by the name of its first body
 #       [FRICTION_VELOCITY number]  # URDF, with PASSIVE_FORCES: friction is smooth, friction qd / sqrt(qd^2 + number^2)
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
@@ -105,7 +111,7 @@ _robcogen_read_groups()
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists IMPORT_DIRS XACRO_ARGS ALGORITHMS DERIVATIVES FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -326,6 +332,20 @@ function(_robcogen_add_codegen target)
   _robcogen_join_umbrella(robcogen_codegen ${target})
 endfunction()
 
+# Sets `result` to the options that remove joints from the robot.
+function(_robcogen_change_arguments result)
+  set(arguments "")
+  if(NOT "${library_LOCK}" STREQUAL "")
+    list(JOIN library_LOCK " " locks)
+    list(APPEND arguments --lock ${locks})
+  endif()
+  if(NOT "${library_KEEP}" STREQUAL "")
+    list(JOIN library_KEEP "," kept)
+    list(APPEND arguments --keep ${kept})
+  endif()
+  set(${result} "${arguments}" PARENT_SCOPE)
+endfunction()
+
 # Sets `result` to the options of `robcogen generate` that correspond to the keywords of the call.
 function(_robcogen_generate_arguments result)
   set(arguments --name ${library_NAME})
@@ -362,6 +382,12 @@ function(_robcogen_generate_arguments result)
     cmake_path(ABSOLUTE_PATH dir BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     list(APPEND arguments -I ${dir})
   endforeach()
+  _robcogen_change_arguments(changes)
+  list(APPEND arguments ${changes})
+  if(NOT "${library_PARAMETERS}" STREQUAL "")
+    list(JOIN library_PARAMETERS "," parameters)
+    list(APPEND arguments --parameters ${parameters})
+  endif()
   if(library_FLOATING_BASE)
     list(APPEND arguments --floating-base)
   endif()

@@ -1,6 +1,6 @@
 # The page that shows a robot and moves it: the target <robot>_view of robcogen_add_robot, which `all` does not contain.
 
-# Adds the target. It takes only those OPTIONS that affect how a URDF is read, and ROBOT.
+# Adds the target. It takes only those OPTIONS that affect how a URDF is read, ROBOT, LOCK and KEEP.
 function(_robcogen_add_view target)
   set(arguments "")
   foreach(dir IN LISTS library_IMPORT_DIRS)
@@ -20,6 +20,8 @@ function(_robcogen_add_view target)
   if(library_ROBOT)
     list(APPEND options --robot ${library_ROBOT})
   endif()
+  _robcogen_change_arguments(changes)
+  list(APPEND options ${changes})
   set(page ${library_OUTPUT_DIR}/${library_NAME}.html)
   # The command always runs, after the model exists; a page that would not change is left as it is.
   add_custom_target(

@@ -3,8 +3,8 @@
 #include "command/model_options.h"
 #include "command/output.h"
 #include "command/subcommands.h"
-#include "driver/documents.h"
 #include "driver/declare.h"
+#include "driver/documents.h"
 #include "import/frames.h"
 #include "import/kinematics.h"
 
@@ -25,7 +25,11 @@ void check_list(
       import::desired_frame_pairs(document, *motions, diagnostics);
   } else if (
       const auto loaded = driver::load(
-          model, {.urdf = options.format.urdf, .robot = options.format.robot, .import_folders = options.import_folders},
+          model,
+          {.urdf = options.format.urdf,
+           .robot = options.format.robot,
+           .changes = options.format.changes,
+           .import_folders = options.import_folders},
           again)) {
     import::desired_transforms(document, loaded->robot()->tree, diagnostics);
   }
@@ -47,6 +51,7 @@ Status check(const CheckOptions& options) {
         {.strict = options.strict,
          .urdf = options.format.urdf,
          .robot = options.format.robot,
+         .changes = options.format.changes,
          .lists_parameters = true,
          .import_folders = options.import_folders,
          .may_be_library = true},

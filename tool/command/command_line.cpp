@@ -158,6 +158,30 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
   subcommand.add_option("--robot", format.robot, "MJCF: the first body of the robot, if the model has several robots");
+  subcommand
+      .add_option(
+          "--lock", format.changes.locks,
+          "Joints at a constant position (rad, m), which are removed from the robot, and parameters with a constant "
+          "value: 'elbow = 0.3', 'hand_* = 0  wrist = PI/2', for a spherical joint 'ball = (1, 0, 0, 0)'")
+      ->allow_extra_args(false)
+      ->type_name("'JOINT = POSITION'");
+  subcommand
+      .add_option(
+          "--keep", format.changes.kept,
+          "The only joints that remain, by name or pattern: all others are locked, at zero or where --lock puts them")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+// `view` and `draw` have an option of this name with values.
+void declare_parameters(CLI::App& subcommand, FormatOptions& format) {
+  subcommand
+      .add_option(
+          "--parameters", format.changes.parameters,
+          "Quantities that become parameters, with their values as defaults: a comma-separated list of LINK.inertia, "
+          "LINK.mass, FRAME.placement, JOINT.rotor, …, in which names may be patterns, such as '*.inertia'")
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 void declare_groups(CLI::App& subcommand, std::vector<std::string>& groups, const std::string& description) {
@@ -241,6 +265,7 @@ Action declare_generate(CLI::App& application) {
       application.add_subcommand("generate", "Generates the library of a robot or of coordinate transforms");
   auto options = std::make_shared<GenerateOptions>();
   declare_model(*subcommand, options->model)->required(false);
+  declare_parameters(*subcommand, options->model.format);
   options->model.lists_parameters = true;
   subcommand->add_option("-o,--output", options->output, "Folder for the generated files");
   subcommand->add_option("--name", options->names.name, "Folder and namespace of the code; default: the stem of MODEL");
@@ -290,6 +315,7 @@ Action declare_check(CLI::App& application) {
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
   declare_format_options(*subcommand, options->format);
+  declare_parameters(*subcommand, options->format);
   declare_messages(*subcommand, options->messages);
   return [options] { return check(*options); };
 }
@@ -299,6 +325,7 @@ Action declare_print(CLI::App& application) {
       application.add_subcommand("print", "Prints a document in canonical form, or a model's program as text");
   auto options = std::make_shared<PrintOptions>();
   declare_model(*subcommand, options->model);
+  declare_parameters(*subcommand, options->model.format);
   subcommand->add_option("--program", options->program, "Print this program of the model (e.g. inverse_dynamics)");
   subcommand->add_flag("--expand", options->expand, "Expand the parts, and print the plain document (robots)");
   subcommand->add_flag(
@@ -310,6 +337,7 @@ Action declare_ops(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("ops", "Counts the operations of a model's functions");
   auto options = std::make_shared<OpsOptions>();
   declare_model(*subcommand, options->model);
+  declare_parameters(*subcommand, options->model.format);
   declare_groups(*subcommand, options->groups, "Groups of functions to count; default all");
   subcommand->add_flag(
       "--lanes", options->has_lanes, "Put congruent limbs in the lanes of vectors, where that is faster");
@@ -328,6 +356,7 @@ Action declare_eval(CLI::App& application) {
           "A name that `robcogen ops` lists, or, of a robot, a transform or Jacobian between any two frames. --desired "
           "selects other transforms of motions")
       ->required();
+  declare_parameters(*subcommand, options->model.format);
   subcommand->add_flag("--quiet", options->model.quiet, "Print only errors of the model, no warnings and notes");
   subcommand->footer(
       "Reads the arguments of a state as a JSON object from standard input, or those of many states: objects one\n"
@@ -355,6 +384,7 @@ Action declare_convert(CLI::App& application) {
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   declare_import_folders(*subcommand, options->import_folders);
   declare_format_options(*subcommand, options->format);
+  declare_parameters(*subcommand, options->format);
   declare_messages(*subcommand, options->messages);
   return [options] { return convert(*options); };
 }

@@ -277,6 +277,7 @@ driver::LoadOptions load_options(const ConvertOptions& options) {
   result.strict = options.strict;
   result.urdf = options.format.urdf;
   result.robot = options.format.robot;
+  result.changes = options.format.changes;
   result.import_folders = options.import_folders;
   return result;
 }

@@ -53,6 +53,13 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
         wrong_usage,
         "robcogen: error: --friction-velocity needs --passive-forces: without them, friction is not part of the "
         "dynamics"};
+  if (!options.changes.empty() && !driver::is_robot(driver::language_of(model)))
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: {} applies to robots only, not to motions and transforms",
+                         !options.changes.locks.empty()  ? "--lock"
+                         : !options.changes.kept.empty() ? "--keep"
+                                                         : "--parameters")};
   const bool for_urdf = urdf.floating_base || urdf.snap_angles || urdf.passive_forces || urdf.allow_implausible;
   if (!for_urdf && !urdf.free_mimic_joints && options.robot.empty()) return;
   const driver::Language language = driver::language_of(model);
@@ -105,6 +112,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.strict = strict;
   options.urdf = format.urdf;
   options.robot = format.robot;
+  options.changes = format.changes;
   options.import_folders = import_folders;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);

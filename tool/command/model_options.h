@@ -30,10 +30,11 @@ struct Programs {
   std::vector<std::filesystem::path> read = {};  // files
 };
 
-// Options that apply to robots in other formats than the robot document.
+// Options that say how a robot is read. Most apply to robots in other formats than the robot document.
 struct FormatOptions {
   import::UrdfOptions urdf;
   std::string robot;  // which one of a scene in MJCF; empty: the only one
+  driver::ChangeOptions changes;
 };
 
 struct ModelOptions {

@@ -5,6 +5,7 @@
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "driver/optimise.h"
+#include "export/kinematics.h"
 #include "language/desired/document.h"
 #include "language/kinematics/original.h"
 #include "language/motion/document.h"
@@ -44,6 +45,18 @@ std::string canonical_text(const PrintOptions& options, Diagnostics& diagnostics
   }
 }
 
+// The robot without its locked joints, as a plain document.
+Status print_reduced(const PrintOptions& options) {
+  if (options.original)
+    throw Failure{
+        wrong_usage, "robcogen: error: --original checks a document as it is written, without --lock and --keep"};
+  const std::optional<driver::Model> model = options.model.load();
+  if (!model) return wrong_input;
+  require_apart_from_output(model->read);
+  write_output(language::kinematics::print(exporting::kinematics_document(model->robot()->tree)));
+  return ok;
+}
+
 Status print_document(const PrintOptions& options) {
   const std::filesystem::path file = options.model.file;
   const driver::Language language = driver::language_of(file);
@@ -57,6 +70,7 @@ Status print_document(const PrintOptions& options) {
         wrong_usage, fmt::format(
                          "robcogen: error: --{} applies to robot documents (.kindsl) only",
                          options.original ? "original" : "expand")};
+  if (!options.model.format.changes.empty()) return print_reduced(options);
   Diagnostics diagnostics;
   const std::string text = canonical_text(options, diagnostics);
   report(diagnostics.render(options.model.messages));

@@ -8,6 +8,7 @@
 #include "algorithm/catalogue/catalogue.h"
 #include "algorithm/catalogue/transform_functions.h"
 #include "driver/documents.h"
+#include "driver/option_text.h"
 #include "driver/parameter_list.h"
 #include "export/frames.h"
 #include "export/kinematics.h"
@@ -44,7 +45,7 @@ std::string limits_text(const model::KinematicTree& tree) {
   return text;
 }
 
-// The model of a tree that was read from a foreign format.
+// The model of a tree that is not that of a robot document.
 Model foreign_model(model::KinematicTree tree, const LoadOptions& options) {
   std::string text;
   if (options.prints_canonical)
@@ -79,24 +80,29 @@ std::optional<Model> load_tree(
     const LoadOptions& options,
     Diagnostics& diagnostics) {
   const Language language = language_of(file, *source);
+  const std::size_t errors_before = diagnostics.error_count();
+  const model::Changes changes = read_changes(options.changes, diagnostics);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read =
-        import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot}, diagnostics);
+        import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot, changes}, diagnostics);
     if (!read) return std::nullopt;
     Model model = foreign_model(std::move(read->tree), options);
     model.read = std::move(read->included);
     return model;
   }
   if (language == Language::urdf) {
-    std::optional<model::KinematicTree> tree = import::urdf(source, options.urdf, diagnostics);
+    import::UrdfOptions urdf = options.urdf;
+    urdf.changes = changes;
+    std::optional<model::KinematicTree> tree = import::urdf(source, urdf, diagnostics);
     return tree ? std::optional(foreign_model(std::move(*tree), options)) : std::nullopt;
   }
   std::optional<import::RobotDocument> read = expanded(source, options, diagnostics);
   if (!read || !require_robot(read->document, file, options, diagnostics)) return std::nullopt;
-  std::optional<model::KinematicTree> tree = import::kinematic_tree(read->document, diagnostics);
+  std::optional<model::KinematicTree> tree = import::kinematic_tree(read->document, changes, diagnostics);
   if (!tree) return std::nullopt;
-  Model model = {Robot{std::move(*tree), {}}};
-  if (options.prints_canonical)
+  Model model = changes.empty() ? Model{Robot{std::move(*tree), {}}} : foreign_model(std::move(*tree), options);
+  if (options.prints_canonical && changes.empty())
     model.canonical = language::kinematics::print(language::kinematics::without_comments(std::move(read->document)));
   model.read = std::move(read->imported);
   return model;
@@ -111,18 +117,6 @@ void report_absence(const model::KinematicTree& tree, const std::string& group, 
   if (group == "forward_dynamics_derivatives" && algorithm::is_available(tree, "inverse_dynamics_derivatives"))
     error.hint =
         "solve for the columns of inverse_dynamics_derivatives with joint_space_inertia_factor: d_q = -H^-1 d tau/d q";
-}
-
-// The places of an option's words. Its text is a source of its own.
-std::vector<Place> places_of(const std::string& option, const std::vector<std::string>& words) {
-  const auto source = std::make_shared<const Source>(option, fmt::format("{}", fmt::join(words, " ")));
-  std::vector<Place> places;
-  std::size_t begin = 0;
-  for (const std::string& word : words) {
-    places.push_back({source, {begin, begin + word.size()}});
-    begin += word.size() + 1;
-  }
-  return places;
 }
 
 std::vector<import::NamedContact> named_contacts(const std::vector<std::string>& words, Diagnostics& diagnostics) {

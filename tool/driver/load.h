@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/changes.h"
 #include "import/parts.h"
 #include "import/urdf.h"
 #include "model/coordinate_transforms.h"
@@ -55,6 +56,7 @@ struct LoadOptions {
   bool strict = false;                                     // see promote_strict_warnings
   import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
   std::string robot = {};                                  // which one of a scene in MJCF: see MjcfOptions
+  ChangeOptions changes = {};                              // of robots
   bool lists_parameters = false;                           // adds a note with the model's parameters
   std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots, after that of the document
   bool may_be_library = false;                             // imports and parts without a robot are accepted

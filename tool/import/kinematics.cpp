@@ -219,9 +219,16 @@ model::Description describe(const kinematics::Document& document, Diagnostics& d
 }
 
 std::optional<model::KinematicTree> kinematic_tree(const kinematics::Document& document, Diagnostics& diagnostics) {
+  return kinematic_tree(document, {}, diagnostics);
+}
+
+std::optional<model::KinematicTree> kinematic_tree(
+    const kinematics::Document& document,
+    const model::Changes& changes,
+    Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   const model::Description description = describe(document, diagnostics);
-  auto tree = model::build(description, diagnostics);
+  auto tree = model::build(description, changes, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
   return tree;
 }

@@ -5,6 +5,7 @@
 
 #include "language/desired/document.h"
 #include "language/kinematics/document.h"
+#include "model/changes.h"
 #include "model/compound.h"
 #include "model/description.h"
 
@@ -20,6 +21,10 @@ std::optional<model::CompoundType> compound_type_of(language::kinematics::Joint:
 model::Description describe(const language::kinematics::Document& document, Diagnostics& diagnostics);
 
 // Calls describe, then model::build.
+std::optional<model::KinematicTree> kinematic_tree(
+    const language::kinematics::Document& document,
+    const model::Changes& changes,
+    Diagnostics& diagnostics);
 std::optional<model::KinematicTree> kinematic_tree(
     const language::kinematics::Document& document,
     Diagnostics& diagnostics);

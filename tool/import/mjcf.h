@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "model/changes.h"
 #include "model/kinematic_tree.h"
 
 namespace robcogen::import {
@@ -16,6 +18,7 @@ struct MjcfOptions {
   // The body of the robot, in a scene where several bodies move independently: a floating body, a body of the world
   // that carries joints, or `world` for all of the latter. Empty: there is only one.
   std::string robot = {};
+  model::Changes changes = {};
 };
 
 struct Mjcf {

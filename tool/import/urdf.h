@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "model/changes.h"
 #include "model/kinematic_tree.h"
 
 namespace robcogen::import {
@@ -23,6 +24,7 @@ struct UrdfOptions {
   double friction_velocity = 0;
   // Negative masses and inertias are warnings, not errors.
   bool allow_implausible = false;
+  model::Changes changes = {};
 };
 
 // Returns the kinematic tree of a URDF:

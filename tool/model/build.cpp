@@ -139,7 +139,8 @@ void declare_frames(Assembly& a) {
                 "this one serves only as a ref_frame",
                 frame.name, owner));
       }
-      a.tree.user_frames.push_back({frame.name, static_cast<int>(i), frame.placement, !owner.empty(), frame.place});
+      a.tree.user_frames.push_back(
+          {frame.name, static_cast<int>(i), frame.placement, !owner.empty(), frame.place, frame.by_name_only});
     }
   }
 }

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
 
+#include "model/rotations.h"
 #include "support/unique_names.h"
 
 namespace robcogen::model {
 namespace {
-
-using Matrix = std::array<std::array<Quantity, 3>, 3>;
 
 const Quantity kQuarterTurn(Number::pi_multiple(1, 2));
 
@@ -28,38 +26,6 @@ std::array<Quantity, 3> rotation_to(Axis axis) {
       break;
   }
   return {};
-}
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
-  return c;
-}
-
-Matrix transposed(const Matrix& m) {
-  Matrix t;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) t[i][j] = m[j][i];
-  return t;
-}
-
-// Returns the angle with this sine and cosine; an exact multiple of PI/2 is stored as such.
-Quantity angle_of(const Quantity& sine, const Quantity& cosine) {
-  const double y = sine.number().value(), x = cosine.number().value();
-  if (sine.is_zero()) return Quantity(Number::pi_multiple(x < 0.0 ? 1 : 0));
-  if (cosine.is_zero()) return Quantity(Number::pi_multiple(y < 0.0 ? -1 : 1, 2));
-  return Quantity(std::atan2(y, x));
-}
-
-// Returns the angles of R = Rx Ry Rz. Where Rx and Rz turn about the same axis, Rz is the identity.
-std::array<Quantity, 3> angles_of(const Matrix& R) {
-  const Quantity &r00 = R[0][0], &r01 = R[0][1];
-  if (r00.is_zero() && r01.is_zero()) return {angle_of(R[2][1], R[1][1]), angle_of(R[0][2], Quantity()), Quantity()};
-  const Quantity cosine = r01.is_zero()   ? Quantity(std::abs(r00.number().value()))
-                          : r00.is_zero() ? Quantity(std::abs(r01.number().value()))
-                                          : Quantity(std::hypot(r00.number().value(), r01.number().value()));
-  return {angle_of(-R[1][2], R[2][2]), angle_of(R[0][2], cosine), angle_of(-r01, r00)};
 }
 
 bool is_constant(const std::array<Quantity, 3>& q) {

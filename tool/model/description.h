@@ -20,6 +20,7 @@ struct DescribedFrame {
   std::string name;
   Placement placement;
   Place place;
+  bool by_name_only = false;  // as in UserFrame
 };
 
 struct DescribedLink {

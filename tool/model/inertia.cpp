@@ -70,4 +70,35 @@ RigidBodyInertia in_link_frame(const Inertia& inertia) {
   return body;
 }
 
+RigidBodyInertia in_outer_frame(const RigidBodyInertia& body, const Placement& pose) {
+  const Matrix R = rotation_matrix(pose);
+  const Vector& t = pose.translation;
+  const Vector h = R * body.first_moment;  // in outer axes, about the origin of the link frame
+  const Matrix I = {
+      Vector{body.ixx, -body.ixy, -body.ixz}, Vector{-body.ixy, body.iyy, -body.iyz},
+      Vector{-body.ixz, -body.iyz, body.izz}};
+  const Matrix rows = {I * R[0], I * R[1], I * R[2]};  // as above
+  const Quantity two(Number::rational(2));
+  const auto moment = [&](std::size_t i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    return dot(R[i], rows[i]) + two * (t[j] * h[j] + t[k] * h[k]) + body.mass * (t[j] * t[j] + t[k] * t[k]);
+  };
+  const auto product = [&](std::size_t i, std::size_t j) {
+    return t[i] * h[j] + h[i] * t[j] + body.mass * (t[i] * t[j]) - dot(R[i], rows[j]);
+  };
+  RigidBodyInertia outer;
+  outer.mass = body.mass;
+  for (std::size_t i = 0; i < 3; ++i) outer.first_moment[i] = body.mass * t[i] + h[i];
+  outer.ixx = moment(0), outer.iyy = moment(1), outer.izz = moment(2);
+  outer.ixy = product(0, 1), outer.ixz = product(0, 2), outer.iyz = product(1, 2);
+  return outer;
+}
+
+RigidBodyInertia operator+(const RigidBodyInertia& a, const RigidBodyInertia& b) {
+  RigidBodyInertia sum = {a.mass + b.mass, {},           a.ixx + b.ixx, a.iyy + b.iyy, a.izz + b.izz, a.ixy + b.ixy,
+                          a.ixz + b.ixz,   a.iyz + b.iyz};
+  for (std::size_t k = 0; k < 3; ++k) sum.first_moment[k] = a.first_moment[k] + b.first_moment[k];
+  return sum;
+}
+
 }  // namespace robcogen::model

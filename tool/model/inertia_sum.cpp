@@ -5,23 +5,13 @@
 #include "model/kinematic_tree.h"
 
 namespace robcogen::model {
-namespace {
-
-void add(RigidBodyInertia& sum, const RigidBodyInertia& part) {
-  sum.mass = sum.mass + part.mass;
-  for (std::size_t k = 0; k < 3; ++k) sum.first_moment[k] = sum.first_moment[k] + part.first_moment[k];
-  sum.ixx = sum.ixx + part.ixx, sum.iyy = sum.iyy + part.iyy, sum.izz = sum.izz + part.izz;
-  sum.ixy = sum.ixy + part.ixy, sum.ixz = sum.ixz + part.ixz, sum.iyz = sum.iyz + part.iyz;
-}
-
-}  // namespace
 
 std::optional<Inertia> sum_of(const std::vector<Inertia>& parts) {
   if (parts.empty()) return std::nullopt;
   RigidBodyInertia sum;
   Inertia result;
   for (const Inertia& part : parts) {
-    add(sum, in_link_frame(part));
+    sum = sum + in_link_frame(part);
     result.com = part.reference->translation;
   }
   result.mass = sum.mass;

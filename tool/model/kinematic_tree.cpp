@@ -257,6 +257,7 @@ std::vector<Frame> default_frames(const KinematicTree& tree) {
   std::vector<Frame> frames;
   for (const Frame& frame : tree.frames()) {
     if (frame.kind == Frame::Kind::joint) continue;
+    if (frame.kind == Frame::Kind::user && tree.user_frames[at(frame.index)].by_name_only) continue;
     const int link = tree.link_of(frame);
     const bool is_link = frame.kind == Frame::Kind::link;
     if (is_link && (link == 0 || tree.links[at(link)].is_virtual || has_frame_of_its_name(tree, link))) continue;

@@ -47,6 +47,11 @@ struct RigidBodyInertia {
 // Transforms the properties from `reference` to the link frame. Constants are folded exactly.
 RigidBodyInertia in_link_frame(const Inertia& inertia);
 
+// Transforms the properties to the frame in which this pose places the link frame.
+RigidBodyInertia in_outer_frame(const RigidBodyInertia& body, const Placement& pose);
+
+RigidBodyInertia operator+(const RigidBodyInertia& a, const RigidBodyInertia& b);
+
 // Returns the sum of the parts, each of which has a `reference`: about the origin and in the axes of the frame in which
 // the references are given. nullopt if there are no parts.
 std::optional<Inertia> sum_of(const std::vector<Inertia>& parts);
@@ -122,6 +127,7 @@ struct UserFrame {
   Placement placement;  // in the link frame
   bool hidden = false;  // an implicit frame has this name: only an inertia's ref_frame can refer to this one
   Place place;
+  bool by_name_only = false;  // not among the default frames: a frame of a locked joint
 };
 
 // An instance of a part in the document, such as a leg that is described once and attached four times.

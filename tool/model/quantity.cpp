@@ -125,6 +125,8 @@ Quantity operator*(const Quantity& a, const Quantity& b) {
   if (is_value(b, 1.0)) return a;
   if (is_value(a, -1.0)) return -b;
   if (is_value(b, -1.0)) return -a;
+  // The product of a mass and a centre of mass that was divided by it: the mass may be zero at run time.
+  if (b.op() == Quantity::Op::divide && !a.is_constant() && b.right() == a) return b.left();
   return Quantity::Node::binary(Quantity::Op::multiply, a, b);
 }
 

@@ -60,7 +60,7 @@ std::optional<Mjcf> mjcf(
   if (failed()) return std::nullopt;
   mention_ignored(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
-  std::optional<model::KinematicTree> tree = model::build(description, diagnostics);
+  std::optional<model::KinematicTree> tree = model::build(description, options.changes, diagnostics);
   if (!tree) return std::nullopt;
   result.tree = std::move(*tree);
   return result;

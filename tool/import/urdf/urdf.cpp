@@ -53,9 +53,12 @@ void note_armature(const Document& document, Diagnostics& diagnostics) {
 
 // Drops the hints on inertias, which apply to documents with moments about the origin of a frame. In a URDF, moments
 // are about the centre of mass.
-std::optional<model::KinematicTree> build_tree(const model::Description& description, Diagnostics& diagnostics) {
+std::optional<model::KinematicTree> build_tree(
+    const model::Description& description,
+    const model::Changes& changes,
+    Diagnostics& diagnostics) {
   Diagnostics of_model;
-  auto tree = model::build(description, of_model);
+  auto tree = model::build(description, changes, of_model);
   for (const Diagnostic& d : of_model.all()) {
     Diagnostic& copy = d.severity == Severity::error     ? diagnostics.error(d.code, d.place, d.message)
                        : d.severity == Severity::warning ? diagnostics.warning(d.code, d.place, d.message)
@@ -105,7 +108,7 @@ std::optional<model::KinematicTree> urdf(
       if (!joint.drive.friction.is_zero()) joint.drive.friction_velocity = model::Quantity(options.friction_velocity);
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
-  return build_tree(description, diagnostics);
+  return build_tree(description, options.changes, diagnostics);
 }
 
 }  // namespace robcogen::import
