@@ -26,7 +26,8 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
      "std::count_if std::equal std::find std::find_first_of std::find_if std::find_if_not std::for_each std::is_sorted "
      "std::lower_bound "
      "std::max std::max_element std::min std::min_element std::minmax std::mismatch std::none_of std::nth_element "
-     "std::remove_if std::replace std::reverse std::rotate std::search std::set_symmetric_difference std::sort "
+     "std::remove_if std::replace std::reverse std::rotate std::search std::set_intersection "
+     "std::set_symmetric_difference std::sort "
      "std::stable_partition std::stable_sort std::transform std::unique std::upper_bound"},
     {"array", "std::array std::to_array"},
     {"atomic", "std::atomic"},
@@ -48,6 +49,7 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"cstdio",
      "EOF stderr stdin stdout std::FILE std::fclose std::ferror std::fflush std::fopen std::fread std::fwrite "
      "std::getc"},
+    {"deque", "std::deque"},
     {"exception", "std::current_exception std::exception_ptr std::rethrow_exception"},
     {"exception stdexcept", "std::exception"},
     {"filesystem", "std::filesystem"},

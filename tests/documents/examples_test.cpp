@@ -68,6 +68,7 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
         robots + "hyl_parametric/hyl_parametric.kindsl --name hyl_parametric",
         robots + "quadruped/quadruped.kindsl --name quadruped --algorithms all --desired " + robots +
             "quadruped/quadruped.dtdsl",
+        robots + "hyl/hyl.kindsl --name arm --algorithms inverse_dynamics --parameters fr_foot.inertia",
         robots + "ball_leg/ball_leg.kindsl --name ball_leg", (folder / "crane.motdsl").string() + " --name crane"})
     generate(folder, arguments);
   std::vector<CodeBlock> blocks = code_blocks(read_text(source_folder() / "runtime/README.md"));

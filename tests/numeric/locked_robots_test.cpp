@@ -262,6 +262,7 @@ TEST_P(LockedRobots, WithParametersHaveTheNumbersOfTheDocument) {
 
 // Loops some of whose joints are locked, directly or by another joint of the loop.
 TEST_P(LockedRobots, MoveLikeTheWholeRobotWithLoops) {
+  int compared = 0;
   for (int i = GetParam(); i < locked_count(); i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     Dice dice(seed + 2000);
@@ -271,13 +272,19 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobotWithLoops) {
     const auto made = import::kinematic_tree(document, diagnostics);
     if (!made) continue;
     const KinematicTree& whole = *made;
-    const Positions positions = random_positions(whole, dice, 0.2);
+    const Positions positions = random_positions(whole, dice, 0.1);
     if (positions.empty()) continue;
     model::Changes changes = changes_of(positions);
     for (const model::Parameter& p : whole.parameters)
       changes.locks.push_back({{p.name, {}}, model::Quantity(p.default_value.value_or(1.0))});
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const KinematicTree reduced = tree_of(document, changes);
+    Diagnostics messages;
+    const auto found = import::kinematic_tree(document, changes, messages);
+    if (!found) {
+      EXPECT_NE(messages.render().find("[lock-open-loop]"), std::string::npos) << messages.render();
+      continue;
+    }
+    const KinematicTree& reduced = *found;
     std::vector<double> parameters;
     for (const model::Parameter& p : whole.parameters) parameters.push_back(p.default_value.value_or(1.0));
     const InterpretedRobot before(whole, {}, {}, parameters), after(reduced, {}, {});
@@ -288,10 +295,13 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobotWithLoops) {
     const Motion<double> m = reference::random_sample(engine, after.tables()).motion;
     const Motion<double> all = map.motion(m);
     const Matrix<double> H = map.block(before.joint_space_inertia(all.q));
+    if (std::isnan(reference::largest(H))) continue;  // out of reach
+    ++compared;
     EXPECT_LT(relative(after.joint_space_inertia(m.q), H), 1e-8);
     EXPECT_LT(relative(after.bias_forces(m, {}), map.rows(before.bias_forces(all, {}))), 1e-8);
     if (HasFailure()) return;
   }
+  EXPECT_GT(compared, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, LockedRobots, testing::Range(0, kShards));

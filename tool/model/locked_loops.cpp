@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "model/loop_cluster.h"
 #include "model/loop_plane.h"

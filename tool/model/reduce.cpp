@@ -302,9 +302,11 @@ std::optional<KinematicTree> build(const Description& description, const Changes
   add_parameters(whole, changes.parameters, diagnostics);
   lock_parameters(whole, changes, diagnostics);
   Diagnostics of_whole;
-  const std::optional<KinematicTree> tree = build(whole, of_whole);
-  append(of_whole, diagnostics, [](const Diagnostic& d) { return !is_inertia_defect(d); });
-  if (!changes.has_locks() || !tree || diagnostics.error_count() > errors_before) return std::nullopt;
+  std::optional<KinematicTree> tree = build(whole, of_whole);
+  const bool is_final = !changes.has_locks();
+  append(of_whole, diagnostics, [&](const Diagnostic& d) { return is_final || !is_inertia_defect(d); });
+  if (!tree || diagnostics.error_count() > errors_before) return std::nullopt;
+  if (is_final) return tree;
   const std::optional<LockedJoints> locked = locked_joints(whole, *tree, changes, diagnostics);
   if (!locked) return std::nullopt;
   const std::optional<Description> reduced = Reduction(whole, *locked, first_place(changes), diagnostics).run();
