@@ -5,8 +5,8 @@
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "driver/declare.h"
+#include "driver/fused_functions.h"
 #include "import/frames.h"
-#include "import/kinematics.h"
 
 namespace robcogen::command {
 namespace {
@@ -27,7 +27,7 @@ void check_list(
       const auto loaded = driver::load(
           model, {.urdf = options.format.urdf, .robot = options.format.robot, .import_folders = options.import_folders},
           again)) {
-    import::desired_transforms(document, loaded->robot()->tree, diagnostics);
+    driver::checked_desired_transforms(document, loaded->robot()->tree, diagnostics);
   }
 }
 

@@ -94,11 +94,14 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups, Diagnostics& diagnostics)
     const {
   require_format(file, format);
-  if ((!contacts.empty() || !frames.empty()) && !driver::is_robot(driver::language_of(file)))
+  const char* const for_robots = !contacts.empty()    ? "--contacts"
+                                 : !frames.empty()    ? "--frames"
+                                 : !functions.empty() ? "--function"
+                                                      : nullptr;
+  if (for_robots != nullptr && !driver::is_robot(driver::language_of(file)))
     throw Failure{
-        wrong_usage, fmt::format(
-                         "robcogen: error: {} applies to robots only, not to motions and transforms",
-                         contacts.empty() ? "--frames" : "--contacts")};
+        wrong_usage,
+        fmt::format("robcogen: error: {} applies to robots only, not to motions and transforms", for_robots)};
   if (!quiet) report_missing_folders(import_folders, error_format);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
@@ -111,6 +114,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
   options.frames = frames;
+  options.functions = functions;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(error_format));

@@ -41,7 +41,7 @@ Passes without(Passes passes, const std::string& name) {
 
 // Whether its program depends on the formulation, so that results of the plain one are a reference.
 bool has_formulation(const Function& function) {
-  return function.derivative || function.declared->is->program.search != algorithm::Search::none;
+  return function.derivative || algorithm::is_formulated(*function.declared);
 }
 
 void choose_candidate(

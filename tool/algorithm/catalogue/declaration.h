@@ -98,6 +98,8 @@ struct Declaration {
   std::vector<std::string> (*labels)(const Subject&) = nullptr;  // of columns
   Method method = Method::frames;                                // if there is a search
   std::optional<ColumnForm> in_columns = {};
+  // In place of a signature and a program: the names of the functions (find.h) whose results are its results.
+  std::vector<std::string> (*parts)(const Subject&) = nullptr;
   const char* group = "";  // set by declarations()
 };
 

@@ -31,6 +31,15 @@ symbolic::Program transform(const Tracing& t) {
       t.tree, path_between(t.tree, t.choices.motions(), t.frames), of_scope<TransformForm>(t.scope), t.name);
 }
 
+std::vector<std::string> poses_of_frames(const Subject& s) {
+  const std::string base = s.tree.frames().front().name;
+  std::vector<std::string> functions;
+  for (const model::Frame& frame : model::default_frames(s.tree))
+    functions.push_back(
+        is_floating(s) ? "world.X_" + frame.name : "transforms.homogeneous." + base + "_X_" + frame.name);
+  return functions;
+}
+
 Array jacobian(Role role) {
   return {"J", role, rows<6>, chain};
 }
@@ -68,6 +77,12 @@ Declarations kinematics_declarations() {
                      "in its axes; angular rows first (Siciliano et al. 2009, ch. 3)."},
          .signature = {{q}, {jacobian(Role::jacobian)}},
          .program = {by<geometric_jacobian>}}}},
+      {"all_frames",
+       {{.name = "all_frames",
+         .exists = [](const Subject& s) { return model::default_frames(s.tree).size() > 1; },
+         .summary = {"Poses of all frames, 4 x 4: {floating?world_X_frame, for a base with a pose.}"
+                     "{fixed?base_X_frame, which map coordinates in a frame to coordinates in that of the base.}"},
+         .parts = poses_of_frames}}},
       {"jacobian_references",
        {{.scope = "jacobians::in_target",
          .name = "{A}_J_{B}",

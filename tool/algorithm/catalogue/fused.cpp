@@ -1,0 +1,162 @@
+#include "algorithm/catalogue/fused.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "algorithm/catalogue/find.h"
+#include "algorithm/catalogue/phrases.h"
+#include "algorithm/catalogue/tracing.h"
+#include "support/concat.h"
+#include "symbolic/fuse.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using symbolic::Program;
+using symbolic::Role;
+
+const Declaration& declaration_of_lists() {
+  static const Declaration declaration = [] {
+    Declaration d{.name = ""};
+    d.group = kFusedGroup;
+    return d;
+  }();
+  return declaration;
+}
+
+// The overload of a part in an overload of the whole: the one with the most loads among these.
+const Declared& with_loads(const std::vector<Declared>& overloads, Loads loads) {
+  const auto takes_more = [&](const Declared& f) { return f.subject.loads > loads; };
+  const auto end = std::find_if(overloads.begin() + 1, overloads.end(), takes_more);
+  return *(end - 1);
+}
+
+// The name of a part among the others: its own, or with the scope that distinguishes it.
+std::string name_among(const std::vector<Declared>& parts, const Declared& part) {
+  const bool is_alone =
+      std::count_if(parts.begin(), parts.end(), [&](const Declared& other) { return other.name == part.name; }) == 1;
+  return (is_alone ? "" : catalogue::prefix_of(part.is->scope)) + part.name;
+}
+
+// Names the results of the parts: `joint_space_inertia`; `bias_forces_tau` and `bias_forces_base_wrench`, of a part
+// with several. A structure of several results has no place for what belongs to the only one of a function: columns of
+// a Jacobian, and the object that has a factor.
+void name_results(const std::vector<Declared>& parts, std::vector<Program>& programs) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string name = name_among(parts, parts[k]);
+    for (symbolic::OutputArray& array : programs[k].outputs) {
+      array.name = programs[k].outputs.size() == 1 ? name : name + "_" + array.name;
+      if (symbolic::is_jacobian(array.role) || array.role == Role::inertia_factor) array.role = Role::matrix;
+      if (array.role == Role::inverse_diagonal) array.role = Role::value;
+    }
+  }
+}
+
+// `common`: for all parts whose programs depend on a formulation; nullptr: each has its own.
+Program program_of(const Declared& function, FormulationChoices& choices, const Formulation* common) {
+  if (function.parts.empty()) {
+    const bool has_own = common == nullptr || !is_formulated(function);
+    return function.is->program.trace(
+        has_own ? catalogue::tracing_of(function, choices) : catalogue::tracing_of(function, choices, *common));
+  }
+  std::vector<Program> programs;
+  for (const Declared& part : function.parts) programs.push_back(program_of(part, choices, common));
+  name_results(function.parts, programs);
+  return symbolic::fused(function.kernel, programs);
+}
+
+void add_searches(const Declared& function, std::vector<Search>& searches) {
+  if (function.parts.empty() && is_formulated(function)) searches.push_back(function.is->program.search);
+  for (const Declared& part : function.parts) add_searches(part, searches);
+}
+
+// What a part computes, in a line; its Jacobian does not say whose columns it has.
+std::string line_of(const std::string& name, const symbolic::Function& part, const model::KinematicTree& tree) {
+  std::string line = "`" + name + "`: " + (part.summary.empty() ? "" : part.summary.front());
+  if (part.columns.empty()) return line;
+  std::vector<std::string> joints;
+  const std::vector<int> coordinates = tree.coordinates();
+  for (const int column : part.columns) joints.push_back(tree.joints[at(coordinates[at(column)])].name);
+  return line + " Columns: " + joined(joints) + ".";
+}
+
+}  // namespace
+
+std::vector<std::vector<Declared>> fused_functions(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired) {
+  std::vector<std::vector<Declared>> list;
+  for (const model::FusedFunction& function : desired.functions) {
+    std::vector<std::vector<Declared>> parts;
+    for (const model::FusedFunction::Part& part : function.parts) {
+      parts.push_back(find_function(tree, desired.contacts, part.function));
+      if (parts.back().empty()) throw std::logic_error("no function '" + part.function + "'");
+    }
+    const Subject subject{tree, desired.contacts};
+    list.push_back(catalogue::fused_overloads(declaration_of_lists(), subject, function.name, parts));
+  }
+  return list;
+}
+
+namespace catalogue {
+
+std::vector<Declared> fused_overloads(
+    const Declaration& declaration,
+    const Subject& subject,
+    const std::string& name,
+    const std::vector<std::vector<Declared>>& parts) {
+  const auto most = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.back().subject.loads < b.back().subject.loads;
+  });
+  std::vector<Declared> list;
+  for (const Declared& overload : *most) {
+    Declared& function = list.emplace_back(Declared{&declaration, subject, name, {}, {}});
+    function.subject.loads = overload.subject.loads;
+    function.kernel = name + suffix_of(function.subject);
+    for (const std::vector<Declared>& overloads : parts)
+      function.parts.push_back(with_loads(overloads, function.subject.loads));
+  }
+  return list;
+}
+
+Program fused_outline(const Declared& function) {
+  std::vector<Program> outlines;
+  for (const Declared& part : function.parts) outlines.push_back(outline(part));
+  name_results(function.parts, outlines);
+  return symbolic::fused_outline(function.kernel, outlines);
+}
+
+symbolic::Function fused_description(const Declared& function) {
+  symbolic::Function result;
+  result.group = function.is->group;
+  result.name = function.name;
+  result.kernel = function.kernel;
+  for (const char* text : function.is->summary) result.summary.emplace_back(filled(text, function.subject));
+  if (!result.summary.empty()) return result;
+  result.summary.emplace_back("Several functions in one call, which computes once what they have in common.");
+  for (const Declared& part : function.parts)
+    result.summary.push_back(line_of(name_among(function.parts, part), described(part), function.subject.tree));
+  const bool has_overloads = std::any_of(function.parts.begin(), function.parts.end(), [](const Declared& part) {
+    return part.is->signature.overloads != Overloads::none;
+  });
+  if (has_overloads) result.summary.emplace_back(remark_on(function.subject.loads));
+  return result;
+}
+
+symbolic::Function fused_trace(const Declared& function, FormulationChoices& choices) {
+  std::vector<Search> searches;
+  add_searches(function, searches);
+  const auto traced = [&](const Formulation* common) { return program_of(function, choices, common); };
+  std::optional<Formulation> common;
+  if (!searches.empty()) common = choices.common_choice(searches, function.kernel, traced);
+  symbolic::Function result = fused_description(function);
+  result.program = traced(common ? &*common : nullptr);
+  if (common) result.method = description(choices.tree(), common->frames);
+  result.derivatives = second_derivatives(result.program);
+  return result;
+}
+
+}  // namespace catalogue
+}  // namespace robcogen::algorithm
