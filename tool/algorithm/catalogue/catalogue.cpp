@@ -86,6 +86,15 @@ Tracing tracing_of(const Declared& function, FormulationChoices& choices) {
       }));
 }
 
+Tracing joined_tracing(const Declared& function, FormulationChoices& choices, const Formulation& given, Loads loads) {
+  return {
+      {choices.tree(), function.subject.contacts, function.subject.frames, loads},
+      function.is->scope,
+      function.kernel,
+      {{}, given},
+      choices};
+}
+
 Tracing tracing_of(const Declared& function, FormulationChoices& choices, const Formulation& given) {
   ForwardDynamicsChoice choice{{}, given};
   if (function.is->program.search == Search::forward_dynamics) choice.method = choices.forward_dynamics().method;

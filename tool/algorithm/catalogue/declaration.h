@@ -70,6 +70,13 @@ struct ColumnForm {
   symbolic::SolvedColumns (*trace)(const Tracing&);
 };
 
+// Another way to compute a bias, for functions that are fused with bias_forces: from the motions of the links, which it
+// has in common with these. It takes gravity as they do.
+struct FromBiasForces {
+  Condition applies;
+  symbolic::Program (*trace)(const Tracing&);
+};
+
 // Inputs follow the parameters of the model, and precede the gravity and the external wrenches of overloads.
 struct Signature {
   std::vector<Array> inputs, outputs;
@@ -98,6 +105,10 @@ struct Declaration {
   std::vector<std::string> (*labels)(const Subject&) = nullptr;  // of columns
   Method method = Method::frames;                                // if there is a search
   std::optional<ColumnForm> in_columns = {};
+  // The program may be traced in the link frames of functions that it is fused with, if the base floats: it is then of
+  // the same composite bodies.
+  bool joins_frames = false;
+  std::optional<FromBiasForces> from_bias_forces = {};
   // In place of a signature and a program: the names of the functions (find.h) whose results are its results.
   std::vector<std::string> (*parts)(const Subject&) = nullptr;
   const char* group = "";  // set by declarations()

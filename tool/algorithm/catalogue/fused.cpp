@@ -9,6 +9,7 @@
 #include "algorithm/catalogue/phrases.h"
 #include "algorithm/catalogue/tracing.h"
 #include "support/concat.h"
+#include "symbolic/cost.h"
 #include "symbolic/fuse.h"
 
 namespace robcogen::algorithm {
@@ -54,17 +55,56 @@ void name_results(const std::vector<Declared>& parts, std::vector<Program>& prog
   }
 }
 
-// `common`: for all parts whose programs depend on a formulation; nullptr: each has its own.
-Program program_of(const Declared& function, FormulationChoices& choices, const Formulation* common) {
-  if (function.parts.empty()) {
-    const bool has_own = common == nullptr || !is_formulated(function);
-    return function.is->program.trace(
-        has_own ? catalogue::tracing_of(function, choices) : catalogue::tracing_of(function, choices, *common));
+// How the parts are traced.
+struct Way {
+  FormulationChoices& choices;
+  // For all parts whose programs depend on a formulation; nullptr: each has its own.
+  const Formulation* common;
+  // The loads of the part bias_forces, from whose motions of links biases follow; nullopt: they have ways of their own.
+  std::optional<Loads> from_bias_forces = {};
+};
+
+bool is_bias_forces(const Declared& function) {
+  return function.is->scope == std::string() && function.is->name == std::string("bias_forces");
+}
+
+bool may_join_frames(const Declared& function) {
+  const model::KinematicTree& tree = function.subject.tree;
+  return function.is->joins_frames && tree.floating_base && !tree.has_rotors();
+}
+
+bool may_follow_from_bias_forces(const Declared& function) {
+  const std::optional<FromBiasForces>& other = function.is->from_bias_forces;
+  return other && (other->applies == nullptr || other->applies(function.subject));
+}
+
+Program program_of(const Declared& function, const Way& way) {
+  if (!function.parts.empty()) {
+    std::vector<Program> programs;
+    for (const Declared& part : function.parts) programs.push_back(program_of(part, way));
+    name_results(function.parts, programs);
+    return symbolic::fused(function.kernel, programs);
   }
-  std::vector<Program> programs;
-  for (const Declared& part : function.parts) programs.push_back(program_of(part, choices, common));
-  name_results(function.parts, programs);
-  return symbolic::fused(function.kernel, programs);
+  const auto& [choices, common, from_bias_forces] = way;
+  const Loads own = function.subject.loads;
+  if (from_bias_forces && may_follow_from_bias_forces(function))
+    return function.is->from_bias_forces->trace(
+        catalogue::joined_tracing(function, choices, common ? *common : choices.newton_euler(), *from_bias_forces));
+  if (common && may_join_frames(function))
+    return function.is->program.trace(catalogue::joined_tracing(function, choices, *common, own));
+  return function.is->program.trace(
+      common && is_formulated(function) ? catalogue::tracing_of(function, choices, *common)
+                                        : catalogue::tracing_of(function, choices));
+}
+
+// The cheaper of two programs: biases have ways of their own, or follow from the motions of links in bias_forces.
+Program cheaper_program_of(const Declared& function, FormulationChoices& choices, const Formulation* common) {
+  Program program = program_of(function, {choices, common});
+  const auto bias_forces = std::find_if(function.parts.begin(), function.parts.end(), is_bias_forces);
+  if (bias_forces == function.parts.end()) return program;
+  if (std::none_of(function.parts.begin(), function.parts.end(), may_follow_from_bias_forces)) return program;
+  Program other = program_of(function, {choices, common, bias_forces->subject.loads});
+  return symbolic::work(other) < symbolic::work(program) ? other : program;
 }
 
 void add_searches(const Declared& function, std::vector<Search>& searches) {
@@ -148,13 +188,18 @@ symbolic::Function fused_description(const Declared& function) {
 symbolic::Function fused_trace(const Declared& function, FormulationChoices& choices) {
   std::vector<Search> searches;
   add_searches(function, searches);
-  const auto traced = [&](const Formulation* common) { return program_of(function, choices, common); };
+  const auto traced = [&](const Formulation* common) { return cheaper_program_of(function, choices, common); };
   std::optional<Formulation> common;
   if (!searches.empty()) common = choices.common_choice(searches, function.kernel, traced);
   symbolic::Function result = fused_description(function);
   result.program = traced(common ? &*common : nullptr);
   if (common) result.method = description(choices.tree(), common->frames);
   result.derivatives = second_derivatives(result.program);
+  int outputs = 0;
+  for (const Declared& part : function.parts) {
+    result.parts.push_back({part.kernel, outputs});
+    outputs += static_cast<int>(outline(part).outputs.size());
+  }
   return result;
 }
 

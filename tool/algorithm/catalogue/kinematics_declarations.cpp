@@ -40,6 +40,15 @@ std::vector<std::string> poses_of_frames(const Subject& s) {
   return functions;
 }
 
+template <Role role>
+symbolic::Program bias_in_left(const Tracing& t) {
+  return bias_from_forces(t.tree, t.frames, BiasAxes::of_left, role, t.name, t.loads, t.choice.formulation);
+}
+
+bool is_seen_from_fixed_base(const Subject& s) {
+  return is_fixed(s) && s.tree.link_of(s.frames.left) == 0;
+}
+
 Array jacobian(Role role) {
   return {"J", role, rows<6>, chain};
 }
@@ -117,7 +126,8 @@ Declarations kinematics_declarations() {
                      "inertial frame, minus its Jacobian with base columns times (spatial base acceleration, qdd), in "
                      "axes of {A}."},
          .signature = {{q, qd, base_velocity}, {value("a", rows<6>)}},
-         .program = {by<jacobian_with_base_bias>}}}},
+         .program = {by<jacobian_with_base_bias>},
+         .from_bias_forces = FromBiasForces{nullptr, bias_in_left<Role::value>}}}},
       {"jacobian_derivatives",
        {{.scope = "jacobians",
          .name = "{A}_Jd_{B}",
@@ -132,7 +142,8 @@ Declarations kinematics_declarations() {
              {"Time derivative of {A}_J_{B} times the joint velocities: the angular acceleration (rad/s^2) of {B} and "
               "the acceleration (m/s^2) of its origin minus {A}_J_{B} qdd, with respect to {A} and in its axes."},
          .signature = {{q, qd}, {{"a", Role::frame_bias_acceleration, rows<6>}}},
-         .program = {by<jacobian_derivative_times_velocity>}}}},
+         .program = {by<jacobian_derivative_times_velocity>},
+         .from_bias_forces = FromBiasForces{is_seen_from_fixed_base, bias_in_left<Role::frame_bias_acceleration>}}}},
       {"velocities",
        {{.scope = "velocities",
          .name = "{A}_V_{B}",

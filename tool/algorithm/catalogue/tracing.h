@@ -8,6 +8,8 @@ namespace robcogen::algorithm::catalogue {
 // The function with these choices: as they are made for it, or with a given choice, where its program depends on one.
 Tracing tracing_of(const Declared& function, FormulationChoices& choices);
 Tracing tracing_of(const Declared& function, FormulationChoices& choices, const Formulation& given);
+// The same for a program that joins those of other functions with these loads (Declaration::joins_frames).
+Tracing joined_tracing(const Declared& function, FormulationChoices& choices, const Formulation& given, Loads loads);
 
 // Each output `d_x_y` is the derivative of the output `d_x` by the input y.
 std::vector<symbolic::DerivativeBlock> second_derivatives(const symbolic::Program& program);

@@ -8,6 +8,8 @@
 
 #include <string>
 
+#include "algorithm/dynamics/loads.h"
+#include "algorithm/formulation/formulation.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -49,5 +51,18 @@ symbolic::Program world_bias(
     const model::Frame& frame,
     Axes axes,
     const std::string& name);
+
+// The bias of a frame from the motion of its link as the recursion of bias_forces has it, with gravity, for programs
+// that are fused with these: in axes of `left`, which is on the base, in those of the world, or in those of the frame.
+// q, qd [, base_pose] [, base_velocity] [, gravity] -> a, with this role.
+enum class BiasAxes { of_left, of_world, of_frame };
+symbolic::Program bias_from_forces(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    BiasAxes axes,
+    symbolic::Role role,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation);
 
 }  // namespace robcogen::algorithm

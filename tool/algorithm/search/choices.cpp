@@ -160,7 +160,7 @@ ForwardDynamicsChoice FormulationChoices::choice(
   const auto with = [](const Formulation& f) { return ForwardDynamicsChoice{{}, f}; };
   switch (search) {
     case Search::none: {
-      Formulation of_model;
+      Formulation of_model = plain_formulation();
       of_model.representative = representative_of_model_;
       return with(of_model);
     }

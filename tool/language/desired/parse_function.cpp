@@ -10,10 +10,19 @@
 namespace robcogen::language::desired {
 namespace {
 
+// As in C++, `::` separates a scope too.
+bool accept_separator(Cursor& cursor) {
+  if (cursor.accept(".")) return true;
+  if (!cursor.at(":") || !cursor.at(":", 1)) return false;
+  cursor.take();
+  cursor.take();
+  return true;
+}
+
 // Parses `bias_forces`, `jacobians.fr_base_J_fr_foot` or `transforms.homogeneous.fr_base_X_fr_foot`.
 Name read_part(Cursor& cursor) {
   Name part = read_name(cursor, "the name of a function");
-  while (cursor.accept(".")) {
+  while (accept_separator(cursor)) {
     const Name next = read_name(cursor, fmt::format("the name of a function after '{}.'", part.text));
     part.text += "." + next.text;
     part.span.end = next.span.end;
