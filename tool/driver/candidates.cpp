@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "driver/derivatives.h"
+#include "driver/fused_functions.h"
 #include "pass/passes.h"
 #include "support/parallel.h"
 #include "symbolic/cost.h"
@@ -99,6 +100,7 @@ FormulationChoices& Formulations::of(Formulated formulated) {
 
 symbolic::Function traced(const Function& function, FormulationChoices& choices) {
   symbolic::Function result = algorithm::trace(*function.declared, choices);
+  if (!result.parts.empty()) require_compilable(result);
   if (!function.derivative) return result;
   return differentiated(std::move(result), *function.derivative, *function.declared, choices);
 }

@@ -12,6 +12,8 @@
 #include "algorithm/catalogue/find.h"
 #include "algorithm/catalogue/fused.h"
 #include "backend/cpp/names.h"
+#include "driver/derivatives.h"
+#include "driver/failure.h"
 #include "import/kinematics.h"
 #include "language/desired/parse_function.h"
 
@@ -190,6 +192,16 @@ model::DesiredTransforms checked_desired_transforms(
   model::DesiredTransforms desired = import::desired_transforms(document, tree, diagnostics);
   check_functions(tree, desired, diagnostics);
   return desired;
+}
+
+void require_compilable(const symbolic::Function& function) {
+  if (function.program.statements.size() <= kMaxExpressions) return;
+  throw Failure{
+      wrong_usage,
+      fmt::format(
+          "robcogen: error: function '{}': code without loops would have more than {} operations, too many to compile "
+          "[too-many-operations]\nhint: fuse fewer functions",
+          function.name, kMaxExpressions)};
 }
 
 }  // namespace robcogen::driver

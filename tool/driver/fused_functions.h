@@ -7,6 +7,7 @@
 #include "language/desired/document.h"
 #include "model/kinematic_tree.h"
 #include "support/diagnostics.h"
+#include "symbolic/function.h"
 
 namespace robcogen::driver {
 
@@ -28,5 +29,8 @@ void check_functions(
     const model::KinematicTree& tree,
     const model::DesiredTransforms& desired,
     Diagnostics& diagnostics);
+
+// Throws a Failure if the program of a fused function is too long to compile.
+void require_compilable(const symbolic::Function& function);
 
 }  // namespace robcogen::driver

@@ -196,8 +196,9 @@ void require_functions(const Robot& robot, const std::vector<std::string>& group
       .error(
           "no-functions", robot.tree.links[0].place,
           fmt::format("'{}' of robot '{}' needs functions to fuse", algorithm::kFusedGroup, robot.tree.name))
-      .hint = "define them: --function 'NAME = FUNCTION + FUNCTION' (FUNCTIONS in CMake), or 'Functions { … }' in the "
-              "desired transforms";
+      .hint =
+      "define them: --function 'NAME = FUNCTION + FUNCTION' (FUNCTIONS in CMake), or 'Functions { … }' in the "
+      "desired transforms";
 }
 
 // Adds a note for each group that `all` leaves out.

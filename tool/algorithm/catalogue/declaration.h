@@ -85,7 +85,7 @@ struct Signature {
 
 // How the program is traced, and for which search of link frames.
 struct Source {
-  symbolic::Program (*trace)(const Tracing&);
+  symbolic::Program (*trace)(const Tracing&) = nullptr;
   Search search = Search::none;
 };
 
@@ -96,8 +96,8 @@ struct Declaration {
   Of of = Of::robot;
   Condition exists = nullptr;
   std::vector<const char*> summary = {};
-  Signature signature;
-  Source program;
+  Signature signature = {};
+  Source program = {};
   std::vector<const char*> remarks = {};  // the end of the summary
   // Uses the bodies, rotors and parameters of the model as they are. (The Coriolis matrix of a robot depends on how its
   // mass is assigned to links.)
