@@ -109,8 +109,10 @@ struct Declaration {
   // the same composite bodies.
   bool joins_frames = false;
   std::optional<FromBiasForces> from_bias_forces = {};
-  // In place of a signature and a program: the names of the functions (find.h) whose results are its results.
+  // In place of a signature: the names of the functions (find.h) whose results are its results, part by part. A program
+  // is not needed, but may cost less than those of the parts together; nullopt for a subject that has none.
   std::vector<std::string> (*parts)(const Subject&) = nullptr;
+  std::optional<symbolic::Program> (*together)(const Tracing&) = nullptr;
   const char* group = "";  // set by declarations()
 };
 

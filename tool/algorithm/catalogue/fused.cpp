@@ -78,12 +78,27 @@ bool may_follow_from_bias_forces(const Declared& function) {
   return other && (other->applies == nullptr || other->applies(function.subject));
 }
 
+// The other one if it costs less.
+Program with_fewest_operations(Program program, std::optional<Program> other) {
+  return other && symbolic::work(*other) < symbolic::work(program) ? std::move(*other) : std::move(program);
+}
+
+// The program of the parts in one, if there is such.
+std::optional<Program> together(const Declared& function, FormulationChoices& choices) {
+  if (function.is->together == nullptr) return std::nullopt;
+  std::optional<Program> program = function.is->together(catalogue::tracing_of(function, choices));
+  const Program outline = catalogue::fused_outline(function);
+  for (std::size_t k = 0; program && k < outline.outputs.size(); ++k)
+    program->outputs[k].name = outline.outputs[k].name;
+  return program;
+}
+
 Program program_of(const Declared& function, const Way& way) {
   if (!function.parts.empty()) {
     std::vector<Program> programs;
     for (const Declared& part : function.parts) programs.push_back(program_of(part, way));
     name_results(function.parts, programs);
-    return symbolic::fused(function.kernel, programs);
+    return with_fewest_operations(symbolic::fused(function.kernel, programs), together(function, way.choices));
   }
   const auto& [choices, common, from_bias_forces] = way;
   const Loads own = function.subject.loads;
@@ -103,8 +118,8 @@ Program cheaper_program_of(const Declared& function, FormulationChoices& choices
   const auto bias_forces = std::find_if(function.parts.begin(), function.parts.end(), is_bias_forces);
   if (bias_forces == function.parts.end()) return program;
   if (std::none_of(function.parts.begin(), function.parts.end(), may_follow_from_bias_forces)) return program;
-  Program other = program_of(function, {choices, common, bias_forces->subject.loads});
-  return symbolic::work(other) < symbolic::work(program) ? other : program;
+  return with_fewest_operations(
+      std::move(program), program_of(function, {choices, common, bias_forces->subject.loads}));
 }
 
 void add_searches(const Declared& function, std::vector<Search>& searches) {

@@ -49,6 +49,11 @@ bool is_seen_from_fixed_base(const Subject& s) {
   return is_fixed(s) && s.tree.link_of(s.frames.left) == 0;
 }
 
+std::optional<symbolic::Program> poses_in_world(const Tracing& t) {
+  if (is_fixed(t)) return std::nullopt;
+  return world_transforms(t.tree, model::default_frames(t.tree), t.name);
+}
+
 Array jacobian(Role role) {
   return {"J", role, rows<6>, chain};
 }
@@ -91,7 +96,8 @@ Declarations kinematics_declarations() {
          .exists = [](const Subject& s) { return model::default_frames(s.tree).size() > 1; },
          .summary = {"Poses of all frames, 4 x 4: {floating?world_X_frame, for a base with a pose.}"
                      "{fixed?base_X_frame, which map coordinates in a frame to coordinates in that of the base.}"},
-         .parts = poses_of_frames}}},
+         .parts = poses_of_frames,
+         .together = poses_in_world}}},
       {"jacobian_references",
        {{.scope = "jacobians::in_target",
          .name = "{A}_J_{B}",

@@ -135,7 +135,7 @@ Program bias_from_forces(
   for (const int j : joints_to(tree, tree.link_of(frames.right)))
     motion = across_joint(robot.joint(j), robot.pose(j), motion, in.qd, at_rest);
   Motion a = proper_acceleration(robot, motion, frames.right);
-  const Frame& left = axes == BiasAxes::of_left ? frames.left : tree.frames().front();
+  const Frame left = axes == BiasAxes::of_left ? frames.left : base_frame(tree);
   const Matrix3 rotation =
       walk(trace, path_between(tree, {left, frames.right}), in.q, [](const PathSegment&, const PathPose&) {}).rotation;
   trace.section(frames.right.name, "acceleration of frame " + frames.right.name);
@@ -150,6 +150,35 @@ Program bias_from_forces(
   return trace.program(name);
 }
 
+namespace {
+
+// A rotation and a position as a matrix of 4 x 4, column by column.
+std::vector<Expression> homogeneous(Graph& graph, const Matrix3& R, const Vector3& p) {
+  std::vector<Expression> X;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t r = 0; r < 3; ++r) X.push_back(c < 3 ? R[r][c] : p[r]);
+    X.push_back(c < 3 ? Expression() : graph.one());
+  }
+  return X;
+}
+
+}  // namespace
+
+// Paths that begin alike compute the same poses.
+Program world_transforms(const KinematicTree& tree, const std::vector<Frame>& frames, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::base_pose});
+  for (const Frame& frame : frames) {
+    PathPose here = start(trace.graph);
+    here.rotation = in.base_rotation;
+    here.position = in.base_position;
+    for (const PathSegment& segment : path_between(tree, {base_frame(tree), frame}))
+      advance(here, pose_of(trace, segment, in.q));
+    trace.output("X_" + frame.name, Role::matrix, 4, 4, homogeneous(trace.graph, here.rotation, here.position));
+  }
+  return trace.program(name);
+}
+
 Program world_transform(const KinematicTree& tree, const Frame& frame, const std::string& name) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::base_pose});
@@ -158,12 +187,7 @@ Program world_transform(const KinematicTree& tree, const Frame& frame, const std
   trace.section("world", "in the world");
   const Matrix3 R = in.base_rotation * end.rotation;
   const Vector3 p = in.base_position + multiply(in.base_rotation, end.position);
-  std::vector<Expression> X;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t r = 0; r < 3; ++r) X.push_back(c < 3 ? R[r][c] : p[r]);
-    X.push_back(c < 3 ? Expression() : trace.graph.one());
-  }
-  trace.output("X", Role::matrix, 4, 4, X);
+  trace.output("X", Role::matrix, 4, 4, homogeneous(trace.graph, R, p));
   return trace.program(name);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "algorithm/dynamics/loads.h"
 #include "algorithm/formulation/formulation.h"
@@ -19,6 +20,12 @@ enum class Axes { of_world, of_frame };
 
 // q, base_pose -> X: world_X_frame, 4 x 4.
 symbolic::Program world_transform(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
+
+// q, base_pose -> X, for each of these frames: from the pose of the base along the tree.
+symbolic::Program world_transforms(
+    const model::KinematicTree& tree,
+    const std::vector<model::Frame>& frames,
+    const std::string& name);
 
 // q, base_pose -> p: the origin of the frame.
 symbolic::Program world_position(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
