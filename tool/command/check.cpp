@@ -3,8 +3,8 @@
 #include "command/model_options.h"
 #include "command/output.h"
 #include "command/subcommands.h"
-#include "driver/documents.h"
 #include "driver/declare.h"
+#include "driver/documents.h"
 #include "driver/fused_functions.h"
 #include "import/frames.h"
 

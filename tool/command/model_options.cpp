@@ -127,14 +127,13 @@ std::optional<Programs> ModelOptions::load_programs(
   if (!driver::is_robot(driver::language_of(file))) require_groups_of_transforms(groups);
   const std::optional<driver::Model> model = load(groups);
   if (!model) return std::nullopt;
-  driver::Functions functions = driver::programs(*model, ordered_groups(groups), steps, features);
+  driver::Functions traced = driver::programs(*model, ordered_groups(groups), steps, features);
   Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}, model->read};
-  for (driver::Function& f : functions.list)
+  for (driver::Function& f : traced.list)
     programs.list.push_back(
         {dotted(f.scope, f.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program), std::move(f.method),
          f.error});
-  for (symbolic::Function& f : functions.updates)
-    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+  for (symbolic::Function& f : traced.updates) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }
 
