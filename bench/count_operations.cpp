@@ -6,12 +6,14 @@
 // `check` counts the functions of these robots again and compares with the file. Exit status 1, with a line for each
 // change: numbers rose, or functions are gone; 77: none of this, but numbers fell or functions are new. `update` writes
 // the file. `groups` are the groups of functions, separated by commas; further groups are counted for the robots that
-// have them, and functions of contacts for those with contact frames. Exit status 2: usage, input or output.
+// have them, functions of contacts for those with contact frames, and fused functions of the list next to a document.
+// Exit status 2: usage, input or output.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -87,6 +89,8 @@ Counts count(const Arguments& arguments) {
           if (!has(functions, counted.first)) functions.push_back(std::move(counted));
     };
     for (const std::string& group : split(arguments.further_groups)) add(command_of(group));
+    const std::filesystem::path list = std::filesystem::path(document).replace_extension("dtdsl");
+    if (std::filesystem::exists(list)) add(command_of("fused", " --desired " + quoted(list.string())));
     if (!contacts.empty())
       add(command_of(
           "contacts,constrained_forward_dynamics_derivatives,operational_space", " --contacts " + quoted(contacts)));

@@ -29,6 +29,8 @@
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
 #       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
 #                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs
+#       [FUNCTIONS name = function + function…  name = …]
+#                                   # further functions, each with the results of several in one call
 #       [CONTACTS frame[:point|:surface]…]
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
@@ -111,7 +113,7 @@ _robcogen_read_groups()
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
-  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -125,6 +127,7 @@ function(robcogen_add_robot)
   _robcogen_check_elements(ALGORITHMS ${groups} all)
   _robcogen_choose_groups()
   _robcogen_check_derivatives()
+  _robcogen_check_functions()
   _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
   _robcogen_check_cpp()
   _robcogen_check_c()
@@ -249,6 +252,9 @@ function(_robcogen_choose_groups)
     get_property(chosen GLOBAL PROPERTY ROBCOGEN_GROUPS)
     set(library_ALGORITHMS all PARENT_SCOPE)
   endif()
+  if(library_FUNCTIONS AND NOT "fused" IN_LIST chosen)
+    list(APPEND chosen fused)
+  endif()
   if(library_DERIVATIVES)
     list(APPEND chosen derivatives)
   endif()
@@ -360,6 +366,10 @@ function(_robcogen_generate_arguments result)
   endif()
   if(library_DERIVATIVES)
     list(APPEND arguments --derivatives ${library_DERIVATIVES})
+  endif()
+  if(library_FUNCTIONS)
+    list(JOIN library_FUNCTIONS " " functions)
+    list(APPEND arguments --function "${functions}")
   endif()
   if(NOT "${library_FRAMES}" STREQUAL "")
     list(JOIN library_FRAMES "," frames)

@@ -75,6 +75,14 @@ function(_robcogen_check_derivatives)
   endforeach()
 endfunction()
 
+# Checks the form only, as above.
+function(_robcogen_check_functions)
+  list(JOIN library_FUNCTIONS " " text)
+  if(library_FUNCTIONS AND NOT text MATCHES "^[A-Za-z_][A-Za-z0-9_]* *= *[A-Za-z_]")
+    _robcogen_refuse("FUNCTIONS: '${text}' is not name = function + function, such as control = joint_space_inertia + bias_forces")
+  endif()
+endfunction()
+
 # A file that a rule of the build generates may not exist yet: DEPENDS names the rule.
 function(_robcogen_check_file keyword file)
   if(NOT "${file}" STREQUAL "" AND NOT EXISTS "${file}" AND "${library_DEPENDS}" STREQUAL "")

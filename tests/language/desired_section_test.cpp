@@ -35,6 +35,18 @@ TEST(DesiredSection, AddsToItsList) {
   }
 }
 
+TEST(DesiredSection, FunctionsHaveParts) {
+  DesiredText at("Functions { control = a + b.c.d  + transforms::motion::A_X_B other = ^Frames + e }");
+  const Document document = read(at);
+  EXPECT_TRUE(at.diagnostics.all().empty());
+  ASSERT_EQ(document.functions.size(), 2u);
+  EXPECT_EQ(document.functions[0].name.text, "control");
+  std::vector<std::string> parts;
+  for (const Function& f : document.functions)
+    for (const Name& part : f.parts) parts.push_back(part.text);
+  EXPECT_EQ(parts, (std::vector<std::string>{"a", "b.c.d", "transforms.motion.A_X_B", "Frames", "e"}));
+}
+
 // An element knows its loop; elements before and after a loop belong to none.
 TEST(DesiredSection, KnowsTheLoopsOfItsElements) {
   DesiredText at("Transforms { A <- B  for s in { x } { A <- s.B }  C <- D  for s in { y } { A <- s.B  s.A <- B } }");

@@ -86,12 +86,17 @@ Contacts {
     point fr_base,
     surface ^base
 }
+
+Functions {
+    control = bias_forces + jacobians.fr_base_J_tip
+}
 )";
 
 TEST(Desired, PrintsTheCanonicalText) {
   EXPECT_EQ(
       print(read_desired("Model Leg Frames{fr_base ^base}Transforms{fr_base <- ^base fr_base->^base}\n"
-                         "/* of a leg */ Jacobians{right=^base left=fr_base}Contacts{fr_base surface ^base}")),
+                         "/* of a leg */ Jacobians{right=^base left=fr_base}Contacts{fr_base surface ^base}"
+                         "Functions{control=bias_forces+jacobians::fr_base_J_tip}")),
       kList);
   EXPECT_EQ(print(read_desired(kList)), kList);
   EXPECT_EQ(print(read_desired("Robot A Frames {} Transforms {}")), "Robot A\n\nFrames {\n}\n\nTransforms {\n}\n");
@@ -120,7 +125,10 @@ TEST(Desired, TellsDocumentsApart) {
       {"base = ^base, target = fr_base\n", ""},
       {"Jacobians {\n    base = fr_base, target = ^base\n}", ""},
       {"surface", "point"},
-      {"point fr_base", "point fr_tip"}};
+      {"point fr_base", "point fr_tip"},
+      {"control", "estimate"},
+      {"bias_forces + ", ""},
+      {"_J_tip", "_J_base"}};
   for (const auto& [from, to] : changes) {
     std::string text = kList;
     const std::size_t at = text.find(from);

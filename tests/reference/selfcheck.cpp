@@ -16,6 +16,7 @@
 #include "robcogen/reference/check_identities.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_partial_derivatives.h"
+#include "robcogen/reference/check_parts.h"
 #include "robcogen/reference/check_total_mass.h"
 #include "robcogen/reference/check_trigonometry.h"
 #include "robcogen/reference/command_line.h"
@@ -114,8 +115,9 @@ void check_single(const Library& library, std::mt19937_64& engine, int samples, 
   checks.in_single(false);
 }
 
-// Checks the derivatives that the robot was generated with. `values` are those of the parameters, if it has some.
-void check_derivatives(
+// Checks the derivatives and the fused functions that the robot was generated with. `values` are those of the
+// parameters, if it has some.
+void check_asked_functions(
     const Library& library,
     const std::vector<double>& values,
     std::mt19937_64& engine,
@@ -149,6 +151,7 @@ void check_derivatives(
   };
   check_partial_derivatives(
       robot.functions, robot.derivatives, inputs_of, move, values, library.cache, samples, checks);
+  check_parts(robot.functions, robot.parts, inputs_of, samples, checks);
 }
 
 constexpr int kSetsOfValues = 4;
@@ -160,7 +163,7 @@ Checks checks_of(const Library& library, std::uint64_t seed, int samples) {
   std::mt19937_64 engine(seed);
   if (robot.parameters.size == 0) {
     check(library, robot, {}, engine, samples, 0, checks);
-    check_derivatives(library, {}, engine, samples, checks);
+    check_asked_functions(library, {}, engine, samples, checks);
     if (library.single != nullptr) check_single(library, engine, samples, checks);
     return checks;
   }
@@ -170,7 +173,7 @@ Checks checks_of(const Library& library, std::uint64_t seed, int samples) {
     if (!values) return Checks();
     const RobotOf tables(robot, *values);
     check(library, tables.robot(), *values, engine, samples, set, checks);
-    check_derivatives(library, *values, engine, samples, checks);
+    check_asked_functions(library, *values, engine, samples, checks);
     library.check_updates(robot, *values, before ? *before : *values, checks, set);
     before = values;
   }

@@ -5,8 +5,8 @@
 #include "command/subcommands.h"
 #include "driver/declare.h"
 #include "driver/documents.h"
+#include "driver/fused_functions.h"
 #include "import/frames.h"
-#include "import/kinematics.h"
 
 namespace robcogen::command {
 namespace {
@@ -31,7 +31,7 @@ void check_list(
            .changes = options.format.changes,
            .import_folders = options.import_folders},
           again)) {
-    import::desired_transforms(document, loaded->robot()->tree, diagnostics);
+    driver::checked_desired_transforms(document, loaded->robot()->tree, diagnostics);
   }
 }
 

@@ -224,6 +224,12 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "pairs that have these frames")
       ->delimiter(',')
       ->allow_extra_args(false);
+  subcommand
+      .add_option(
+          "--function", model.functions,
+          "Further functions of a robot, each with the results of several functions in one call: 'NAME = FUNCTION + "
+          "FUNCTION', such as 'control = joint_space_inertia + bias_forces'")
+      ->allow_extra_args(false);
   subcommand.add_flag("--strict", model.strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "algorithm/catalogue/fused.h"
 #include "backend/c/c.h"
 #include "backend/casadi/casadi.h"
 #include "backend/common/names.h"
@@ -55,11 +56,14 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// Without a list, these are the default groups, and the group of contacts if contact frames are given.
+// Without a list, these are the default groups, and the group of contacts if contact frames are given. If functions are
+// given, so is their group.
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
-  if (!options.groups.empty() || options.model.contacts.empty()) return options.groups;
-  std::vector<std::string> groups = algorithm::default_groups();
-  groups.emplace_back("contacts");
+  const ModelOptions& model = options.model;
+  std::vector<std::string> groups = options.groups;
+  if (groups.empty() && !(model.contacts.empty() && model.functions.empty())) groups = algorithm::default_groups();
+  if (options.groups.empty() && !model.contacts.empty()) groups.emplace_back("contacts");
+  if (!model.functions.empty()) groups.emplace_back(algorithm::kFusedGroup);
   return groups;
 }
 

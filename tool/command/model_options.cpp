@@ -101,11 +101,14 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
 std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& groups, Diagnostics& diagnostics)
     const {
   require_format(file, format);
-  if ((!contacts.empty() || !frames.empty()) && !driver::is_robot(driver::language_of(file)))
+  const char* const for_robots = !contacts.empty()    ? "--contacts"
+                                 : !frames.empty()    ? "--frames"
+                                 : !functions.empty() ? "--function"
+                                                      : nullptr;
+  if (for_robots != nullptr && !driver::is_robot(driver::language_of(file)))
     throw Failure{
-        wrong_usage, fmt::format(
-                         "robcogen: error: {} applies to robots only, not to motions and transforms",
-                         contacts.empty() ? "--frames" : "--contacts")};
+        wrong_usage,
+        fmt::format("robcogen: error: {} applies to robots only, not to motions and transforms", for_robots)};
   if (!quiet) report_missing_folders(import_folders, messages);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
@@ -119,6 +122,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
   options.frames = frames;
+  options.functions = functions;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(messages));
@@ -131,14 +135,13 @@ std::optional<Programs> ModelOptions::load_programs(
   if (!driver::is_robot(driver::language_of(file))) require_groups_of_transforms(groups);
   const std::optional<driver::Model> model = load(groups);
   if (!model) return std::nullopt;
-  driver::Functions functions = driver::programs(*model, ordered_groups(groups), steps, features);
+  driver::Functions traced = driver::programs(*model, ordered_groups(groups), steps, features);
   Programs programs = {model->robot() ? "robot" : "model", model->name(), about(*model), {}, model->read};
-  for (driver::Function& f : functions.list)
+  for (driver::Function& f : traced.list)
     programs.list.push_back(
         {dotted(f.scope, f.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program), std::move(f.method),
          f.error});
-  for (symbolic::Function& f : functions.updates)
-    programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
+  for (symbolic::Function& f : traced.updates) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }
 

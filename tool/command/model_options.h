@@ -40,8 +40,9 @@ struct FormatOptions {
 struct ModelOptions {
   std::string file;
   std::string desired;
-  std::vector<std::string> contacts;  // for robots
-  std::vector<std::string> frames;    // for robots: names or patterns
+  std::vector<std::string> contacts;   // for robots
+  std::vector<std::string> frames;     // for robots: names or patterns
+  std::vector<std::string> functions;  // for robots: `name = function + function`
   bool strict = false;
   FormatOptions format;
   std::vector<std::filesystem::path> import_folders;

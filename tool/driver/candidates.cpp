@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "driver/derivatives.h"
+#include "driver/fused_functions.h"
 #include "pass/passes.h"
 #include "support/parallel.h"
 #include "symbolic/cost.h"
@@ -41,7 +42,7 @@ Passes without(Passes passes, const std::string& name) {
 
 // Whether its program depends on the formulation, so that results of the plain one are a reference.
 bool has_formulation(const Function& function) {
-  return function.derivative || function.declared->is->program.search != algorithm::Search::none;
+  return function.derivative || algorithm::is_formulated(*function.declared);
 }
 
 void choose_candidate(
@@ -99,6 +100,7 @@ FormulationChoices& Formulations::of(Formulated formulated) {
 
 symbolic::Function traced(const Function& function, FormulationChoices& choices) {
   symbolic::Function result = algorithm::trace(*function.declared, choices);
+  if (!result.parts.empty()) require_compilable(result);
   if (!function.derivative) return result;
   return differentiated(std::move(result), *function.derivative, *function.declared, choices);
 }

@@ -20,9 +20,6 @@ using symbolic::DerivativeMode;
 using symbolic::Program;
 using symbolic::Role;
 
-// Beyond this number, compilers take minutes for the code, which has no loops.
-constexpr std::size_t kMaxExpressions = 200'000;
-
 std::string text_of(const Derivative& derivative) {
   return fmt::format("{}:{}", derivative.function, fmt::join(derivative.inputs, ","));
 }

@@ -1,6 +1,7 @@
 // Derivatives of functions, as the user asks for them.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace robcogen::driver {
 
 // The group of these functions, for robots and for transforms. A library has them only if they are asked for.
 inline constexpr const char* kDerivativesGroup = "derivatives";
+
+// Beyond this number, compilers take minutes for the code, which has no loops.
+inline constexpr std::size_t kMaxExpressions = 200'000;
 
 // Parses `function:input` or `function:input,input`. Throws a Failure for any other text.
 Derivative parse_derivative(const std::string& text);

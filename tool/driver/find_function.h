@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/catalogue/catalogue.h"
+#include "algorithm/catalogue/find.h"
 #include "driver/load.h"
 
 namespace robcogen::driver {
 
 // The name of a function on the command line and in messages: `transforms.homogeneous.A_X_B`.
-std::string dotted(const std::string& scope, const std::string& name);
+using algorithm::dotted;
 
 // The functions of a robot with this name, fewest arguments first. They may be between frames that its list of desired
 // transforms does not have.

@@ -6,8 +6,10 @@
 #include <map>
 
 #include "algorithm/catalogue/catalogue.h"
+#include "algorithm/catalogue/fused.h"
 #include "algorithm/catalogue/transform_functions.h"
 #include "driver/documents.h"
+#include "driver/fused_functions.h"
 #include "driver/option_text.h"
 #include "driver/parameter_list.h"
 #include "export/frames.h"
@@ -175,7 +177,22 @@ model::DesiredTransforms desired_of(
   }
   if (!options.contacts.empty())
     result.contacts = import::contact_frames(named_contacts(options.contacts, diagnostics), tree, diagnostics);
+  for (model::FusedFunction& f : functions_of_option("--function", options.functions, diagnostics))
+    result.functions.push_back(std::move(f));
+  if (!diagnostics.has_errors()) check_functions(tree, result, diagnostics);
   return result;
+}
+
+void require_functions(const Robot& robot, const std::vector<std::string>& groups, Diagnostics& diagnostics) {
+  const bool is_asked = std::find(groups.begin(), groups.end(), algorithm::kFusedGroup) != groups.end();
+  if (!is_asked || !robot.desired.functions.empty()) return;
+  diagnostics
+      .error(
+          "no-functions", robot.tree.links[0].place,
+          fmt::format("'{}' of robot '{}' needs functions to fuse", algorithm::kFusedGroup, robot.tree.name))
+      .hint =
+      "define them: --function 'NAME = FUNCTION + FUNCTION' (FUNCTIONS in CMake), or 'Functions { … }' in the "
+      "desired transforms";
 }
 
 // Adds a note for each group that `all` leaves out.
@@ -185,6 +202,7 @@ void list_absent_groups(const Robot& robot, Diagnostics& diagnostics) {
     std::string reason = algorithm::reason_of_absence(robot.tree, group, algorithm::Reasons::all);
     const bool needs_contacts = std::find(of_contacts.begin(), of_contacts.end(), group) != of_contacts.end();
     if (reason.empty() && needs_contacts && robot.desired.contacts.empty()) reason = "no contact frames are named";
+    if (group == algorithm::kFusedGroup && robot.desired.functions.empty()) reason = "no functions to fuse are named";
     if (reason.empty()) continue;
     diagnostics.note(
         "left-out-group", robot.tree.links[0].place,
@@ -213,6 +231,7 @@ std::optional<Model> load_robot(
   robot.desired = desired_of(tree, options, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   require_contacts(robot, options.groups, diagnostics);
+  require_functions(robot, options.groups, diagnostics);
   if (options.lists_absent_groups) list_absent_groups(robot, diagnostics);
   return model;
 }

@@ -64,6 +64,8 @@ struct LoadOptions {
   std::vector<Derivative> derivatives = {};  // checked when they are traced
   // Replace the contact frames of the list: `fr_foot`, `fr_foot:point`, `fr_sole:surface`.
   std::vector<std::string> contacts = {};
+  // Further functions, fused of others (fused_functions.h): `control = bias_forces + joint_space_inertia`.
+  std::vector<std::string> functions = {};
   // Functions of frames are made for these only (import/frame_patterns.h): `fr_foot`, `*_foot`. Empty: for all.
   std::vector<std::string> frames = {};
   bool lists_absent_groups = false;   // adds a note for each group that the robot cannot have

@@ -58,6 +58,20 @@ model::DesiredTransforms desired_transforms(
     if (resolver.resolve(contact.frame))
       contacts.push_back({contact.frame.text, contact.is_surface, {document.source, contact.frame.span}});
   result.contacts = contact_frames(contacts, tree, diagnostics);
+  result.functions = fused_functions(document.functions, document.source);
+  return result;
+}
+
+std::vector<model::FusedFunction> fused_functions(
+    const std::vector<desired::Function>& functions,
+    const std::shared_ptr<const Source>& source) {
+  std::vector<model::FusedFunction> result;
+  for (const desired::Function& function : functions) {
+    model::FusedFunction& fused = result.emplace_back();
+    fused.name = function.name.text;
+    fused.place = {source, function.name.span};
+    for (const desired::Name& part : function.parts) fused.parts.push_back({part.text, {source, part.span}});
+  }
   return result;
 }
 
@@ -79,6 +93,11 @@ std::vector<FrameNames> desired_frame_pairs(
     diagnostics.error(
         "contact-without-robot", {document.source, document.contacts.front().frame.span},
         "contacts need a robot: motions have no dynamics");
+  }
+  if (!document.functions.empty()) {
+    diagnostics.error(
+        "function-without-robot", {document.source, document.functions.front().name.span},
+        "fused functions need a robot: motions have transforms only");
   }
   std::vector<FrameNames> result;
   for (const auto& [left_index, right_index, place] : resolver.resolve(document.transforms, "transform")) {

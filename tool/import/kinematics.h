@@ -29,12 +29,17 @@ std::optional<model::KinematicTree> kinematic_tree(
     const language::kinematics::Document& document,
     Diagnostics& diagnostics);
 
-// Resolves the frames of the list. A pair with an unknown frame is skipped with a warning. Duplicates, unlisted frames
-// and a different robot name are warnings too.
+// Resolves the frames of the list; functions are not checked. A pair with an unknown frame is skipped with a warning.
+// Duplicates, unlisted frames and a different robot name are warnings too.
 model::DesiredTransforms desired_transforms(
     const language::desired::Document& document,
     const model::KinematicTree& tree,
     Diagnostics& diagnostics);
+
+// The functions as they are written, with the places of their names.
+std::vector<model::FusedFunction> fused_functions(
+    const std::vector<language::desired::Function>& functions,
+    const std::shared_ptr<const Source>& source);
 
 // A contact frame by name.
 struct NamedContact {

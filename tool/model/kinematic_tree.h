@@ -275,11 +275,25 @@ struct ContactFrame {
   bool is_surface = false;
 };
 
-// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, and contact functions.
+// A function with the results of several others, its parts, which are named as users name them: `bias_forces`,
+// `jacobians.fr_base_J_fr_foot`.
+struct FusedFunction {
+  struct Part {
+    std::string function;
+    Place place = {};
+  };
+  std::string name;
+  std::vector<Part> parts;
+  Place place = {};
+};
+
+// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, contact functions, and fused
+// functions.
 struct DesiredTransforms {
   std::vector<FramePair> transforms;
   std::vector<FramePair> jacobians;
   std::vector<ContactFrame> contacts = {};
+  std::vector<FusedFunction> functions = {};
 };
 
 // Every link frame and user frame except that of the base. If a link has a user frame of its own name, that frame

@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "driver/failure.h"
+#include "driver/fused_functions.h"
 #include "import/frames.h"
-#include "import/kinematics.h"
 
 namespace robcogen::server {
 namespace {
@@ -50,7 +50,7 @@ void check_list(const OpenDocument& list, const Documents& documents, RobotFinde
     if (const auto motions = driver::load_motions_of(*robot, of_robot, options.open_texts))
       import::desired_frame_pairs(document, *motions, analysis.diagnostics);
   } else if (const auto model = driver::load(*robot, options, of_robot)) {
-    import::desired_transforms(document, model->robot()->tree, analysis.diagnostics);
+    driver::checked_desired_transforms(document, model->robot()->tree, analysis.diagnostics);
   }
 }
 

@@ -18,7 +18,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
   static const std::set<std::string_view> alone = {
       "inertia_params", "inertia_properties", "children", "frames", "ref_frame", "couplings", "loops",  "independent",
       "actuators",      "friction",           "spring",   "rotor",  "limits",    "at",        "sense",  "Frames",
-      "Transforms",     "Jacobians",          "Contacts", "slide",  "turn",      "turn_x",    "turn_z", "slide_x",
+      "Transforms",     "Jacobians",          "Contacts", "Functions", "slide",  "turn",      "turn_x",    "turn_z", "slide_x",
       "slide_y"};
   static const std::set<std::string_view> named = {"Robot",   "Part",         "RobotBase", "link",
                                                    "r_joint", "p_joint",      "h_joint",   "c_joint",

@@ -32,6 +32,7 @@ void complete_list(Workspace& workspace, Lookup& lookup, const Context& context,
     add_frames_of_model(workspace, lookup, items);
     return;
   }
+  if (block == "Functions") return;
   if (!context.follows("=")) items.add_words(driver::Language::desired, block);
   add_frames_of_model(workspace, lookup, items);
 }

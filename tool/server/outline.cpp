@@ -185,6 +185,8 @@ Json of_list(const language::desired::Document& list, const Outline& outline) {
   for (const auto& contact : list.contacts)
     result.push_back(
         outline.symbol(Name{text(contact.frame), contact.frame.span}, kNamespace, "contact", contact.frame.span));
+  for (const auto& function : list.functions)
+    result.push_back(outline.symbol(function.name, kMethod, "function", function.name.span));
   return result;
 }
 

@@ -26,6 +26,12 @@ struct Product {
   Program amounts;
 };
 
+// A function whose outputs are among those of a fused function, from one output on.
+struct Part {
+  std::string kernel;
+  int first_output = 0;
+};
+
 // Overloads share `scope` and `name` and differ in inputs (gravity, external wrenches); `kernel` is unique.
 struct Function {
   std::string group;                        // file stem: inverse_dynamics, joint_space_inertia, transforms, …
@@ -41,6 +47,7 @@ struct Function {
   std::string method = {};                  // how it is computed, where there was a choice
   std::optional<RoundingError> error = {};  // where it was measured
   std::vector<DerivativeBlock> derivatives = {};  // blocks of its outputs, to be checked by differences
+  std::vector<Part> parts = {};                   // of a fused function
 
   // Set for languages whose functions take precomputed sines and cosines, if the program reads any.
   std::optional<Core> core = {};

@@ -223,6 +223,20 @@ struct Derivative {
   Variation variation = Variation::of_input;
 };
 
+// `size` inputs of a fused function, from `of_function` on, are those of its part from `of_part` on.
+struct PartInput {
+  int of_function, of_part, size;
+};
+
+// A function whose results are among those of a fused function.
+struct Part {
+  const char* name;         // `control: bias_forces`
+  int function, part;       // indices into the functions
+  int place;                // index of its first result among those of the fused function
+  const PartInput* inputs;  // all inputs of the part
+  int input_count;
+};
+
 // The function of the same name over n states. `parameters` is the cache of a robot with parameters, which is not among
 // the inputs here; other robots do not read it.
 struct BatchFunction {
@@ -344,6 +358,7 @@ struct Robot {
   Table<Actuator> actuators = {nullptr, 0};
   Table<Follower> followers = {nullptr, 0};  // the last elements of q, in order
   ActuatorKernels actuator_kernels = {};
+  Table<Part> parts = {nullptr, 0};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.

@@ -8,17 +8,104 @@
 #include <vector>
 
 #include "algorithm/catalogue/arrays.h"
+#include "algorithm/catalogue/find.h"
+#include "algorithm/catalogue/fused.h"
 #include "algorithm/catalogue/phrases.h"
 #include "algorithm/catalogue/sizes.h"
+#include "algorithm/catalogue/tracing.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "support/parallel.h"
 
 namespace robcogen::algorithm {
-namespace {
 
 using model::Frame;
 using model::FramePair;
 using model::KinematicTree;
+
+namespace catalogue {
+
+std::string prefix_of(const std::string& scope) {
+  static const std::map<std::string, std::string> prefixes = {
+      {"inertia_factor", "inertia_factor_"},   {"transforms::homogeneous", "homogeneous_"},
+      {"transforms::motion", "motion_"},       {"transforms::force", "force_"},
+      {"jacobians::in_target", "in_target_"},  {"jacobians::spatial", "spatial_"},
+      {"jacobians::with_base", "with_base_"},  {"world", "in_world_"},
+      {"world::in_target", "world_in_target_"}};
+  const auto prefix = prefixes.find(scope);
+  return prefix == prefixes.end() ? "" : prefix->second;
+}
+
+const char* suffix_of(const Subject& subject) {
+  if (subject.loads == Loads::gravity_and_external) return "_external";
+  return subject.loads == Loads::standard_gravity || subject.tree.floating_base ? "" : "_gravity";
+}
+
+const char* remark_on(Loads loads) {
+  switch (loads) {
+    case Loads::standard_gravity:
+      return "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.";
+    case Loads::gravity:
+      return "`gravity` (m/s^2) is in base coordinates.";
+    case Loads::gravity_and_external:
+      break;
+  }
+  return "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
+         "the link's origin.";
+}
+
+std::vector<symbolic::DerivativeBlock> second_derivatives(const symbolic::Program& program) {
+  std::vector<symbolic::DerivativeBlock> blocks;
+  const auto index = [&](std::size_t k) { return static_cast<int>(k); };
+  for (std::size_t place = 0; place < program.outputs.size(); ++place)
+    for (std::size_t of = 0; of < place; ++of)
+      for (const symbolic::InputArray& input : program.inputs)
+        if (program.outputs[place].name == program.outputs[of].name + "_" + input.name)
+          blocks.push_back({index(of), input.name, index(place)});
+  return blocks;
+}
+
+namespace {
+
+Tracing tracing_with(const Declared& function, FormulationChoices& choices, Loads loads, ForwardDynamicsChoice choice) {
+  const auto& [is, subject, name, kernel, parts] = function;
+  const bool is_of_model = is->program.search == Search::none || is->is_of_model;
+  const KinematicTree& tree = is_of_model ? choices.model() : choices.tree();
+  return {{tree, subject.contacts, subject.frames, loads}, is->scope, kernel, std::move(choice), choices};
+}
+
+}  // namespace
+
+Tracing tracing_of(const Declared& function, FormulationChoices& choices) {
+  const Source& program = function.is->program;
+  // Formulations are compared for the same loads, whatever those of the overload.
+  const Loads compared = program.search == Search::cheapest ? default_loads(choices.tree()) : Loads::gravity;
+  return tracing_with(
+      function, choices, function.subject.loads,
+      choices.choice(program.search, function.name, [&](const Formulation& formulation) {
+        return program.trace(tracing_with(function, choices, compared, {{}, formulation}));
+      }));
+}
+
+Tracing joined_tracing(const Declared& function, FormulationChoices& choices, const Formulation& given, Loads loads) {
+  return {
+      {choices.tree(), function.subject.contacts, function.subject.frames, loads},
+      function.is->scope,
+      function.kernel,
+      {{}, given},
+      choices};
+}
+
+Tracing tracing_of(const Declared& function, FormulationChoices& choices, const Formulation& given) {
+  ForwardDynamicsChoice choice{{}, given};
+  if (function.is->program.search == Search::forward_dynamics) choice.method = choices.forward_dynamics().method;
+  return tracing_with(function, choices, function.subject.loads, std::move(choice));
+}
+
+}  // namespace catalogue
+
+using catalogue::tracing_of;
+
+namespace {
 
 std::vector<Declaration> all_declarations() {
   std::vector<Declaration> all;
@@ -89,37 +176,6 @@ std::vector<Loads> loads_of(const Declaration& declaration, const KinematicTree&
   return list;
 }
 
-// Several scopes may have functions of the same name.
-std::string prefix_of(const std::string& scope) {
-  static const std::map<std::string, std::string> prefixes = {
-      {"inertia_factor", "inertia_factor_"},   {"transforms::homogeneous", "homogeneous_"},
-      {"transforms::motion", "motion_"},       {"transforms::force", "force_"},
-      {"jacobians::in_target", "in_target_"},  {"jacobians::spatial", "spatial_"},
-      {"jacobians::with_base", "with_base_"},  {"world", "in_world_"},
-      {"world::in_target", "world_in_target_"}};
-  const auto prefix = prefixes.find(scope);
-  return prefix == prefixes.end() ? "" : prefix->second;
-}
-
-const char* suffix_of(const Declaration& declaration, const Subject& subject) {
-  if (declaration.signature.overloads == Overloads::none || subject.loads == Loads::standard_gravity) return "";
-  if (subject.loads == Loads::gravity_and_external) return "_external";
-  return subject.tree.floating_base ? "" : "_gravity";
-}
-
-const char* remark_on(Loads loads) {
-  switch (loads) {
-    case Loads::standard_gravity:
-      return "Gravity is (0, 0, -9.81) m/s^2 in base coordinates.";
-    case Loads::gravity:
-      return "`gravity` (m/s^2) is in base coordinates.";
-    case Loads::gravity_and_external:
-      break;
-  }
-  return "`gravity` (m/s^2) is in base coordinates; `external` is the wrench on each link, in link coordinates about "
-         "the link's origin.";
-}
-
 std::vector<std::string> summary_of(const Declaration& declaration, const Subject& subject) {
   std::vector<std::string> lines;
   const auto add = [&](const char* text) {
@@ -127,7 +183,7 @@ std::vector<std::string> summary_of(const Declaration& declaration, const Subjec
     if (!line.empty()) lines.push_back(std::move(line));
   };
   for (const char* text : declaration.summary) add(text);
-  if (declaration.signature.overloads != Overloads::none) add(remark_on(subject.loads));
+  if (declaration.signature.overloads != Overloads::none) add(catalogue::remark_on(subject.loads));
   for (const char* text : declaration.remarks) add(text);
   const bool is_by_positions = std::any_of(
       declaration.signature.outputs.begin(), declaration.signature.outputs.end(),
@@ -146,32 +202,6 @@ std::string method_of(const Declaration& declaration, const Tracing& t) {
              by_matrix ? "Method: bias forces, and elimination in the joint-space inertia matrix."
                        : "Method: articulated-body algorithm.") +
          (frames.empty() ? "" : " " + frames);
-}
-
-// Each output `d_x_y` is the derivative of the output `d_x` by the input y.
-std::vector<symbolic::DerivativeBlock> second_derivatives(const symbolic::Program& program) {
-  std::vector<symbolic::DerivativeBlock> blocks;
-  const auto index = [&](std::size_t k) { return static_cast<int>(k); };
-  for (std::size_t place = 0; place < program.outputs.size(); ++place)
-    for (std::size_t of = 0; of < place; ++of)
-      for (const symbolic::InputArray& input : program.inputs)
-        if (program.outputs[place].name == program.outputs[of].name + "_" + input.name)
-          blocks.push_back({index(of), input.name, index(place)});
-  return blocks;
-}
-
-Tracing tracing_of(const Declared& function, FormulationChoices& choices) {
-  const auto& [is, subject, name, kernel] = function;
-  const bool is_of_model = is->program.search == Search::none || is->is_of_model;
-  const KinematicTree& tree = is_of_model ? choices.model() : choices.tree();
-  const auto tracing = [&](Loads loads, ForwardDynamicsChoice choice) {
-    return Tracing{{tree, subject.contacts, subject.frames, loads}, is->scope, kernel, std::move(choice), choices};
-  };
-  // Formulations are compared for the same loads, whatever those of the overload.
-  const Loads compared = is->program.search == Search::cheapest ? default_loads(tree) : Loads::gravity;
-  return tracing(subject.loads, choices.choice(is->program.search, name, [&](const Formulation& formulation) {
-    return is->program.trace(tracing(compared, {{}, formulation}));
-  }));
 }
 
 std::vector<std::string> groups_with(bool (*is_kind)(Of)) {
@@ -222,11 +252,20 @@ bool is_of(const Declaration& declaration, const Subject& subject) {
 }
 
 std::vector<Declared> overloads(const Declaration& declaration, const Subject& subject) {
+  const std::string name = catalogue::filled(declaration.name, subject);
+  if (declaration.parts) {
+    std::vector<std::vector<Declared>> parts;
+    for (const std::string& part : declaration.parts(subject))
+      parts.push_back(find_function(subject.tree, subject.contacts, part));
+    return catalogue::fused_overloads(declaration, subject, name, parts);
+  }
   std::vector<Declared> list;
   for (const Loads loads : loads_of(declaration, subject.tree)) {
-    Declared function{&declaration, subject, catalogue::filled(declaration.name, subject), {}};
+    Declared function{&declaration, subject, name, {}, {}};
     function.subject.loads = loads;
-    function.kernel = prefix_of(declaration.scope) + function.name + suffix_of(declaration, function.subject);
+    const bool has_suffix = declaration.signature.overloads != Overloads::none;
+    function.kernel =
+        catalogue::prefix_of(declaration.scope) + name + (has_suffix ? catalogue::suffix_of(function.subject) : "");
     list.push_back(std::move(function));
   }
   return list;
@@ -238,6 +277,9 @@ std::vector<Declared> declared(
     const std::string& group) {
   std::vector<Declared> list;
   if (!is_available(tree, group)) return list;
+  if (group == kFusedGroup)
+    for (std::vector<Declared>& function : fused_functions(tree, desired))
+      for (Declared& overload : function) list.push_back(std::move(overload));
   for (const Declaration& declaration : declarations()) {
     if (declaration.group != group) continue;
     for (const FramePair& frames : desired_frames(declaration.of, tree, desired)) {
@@ -250,7 +292,8 @@ std::vector<Declared> declared(
 }
 
 symbolic::Program outline(const Declared& function) {
-  const auto& [is, subject, name, kernel] = function;
+  if (!function.parts.empty()) return catalogue::fused_outline(function);
+  const auto& [is, subject, name, kernel, parts] = function;
   symbolic::Program program;
   program.name = kernel;
   std::vector<Array> inputs = is->signature.inputs;
@@ -273,7 +316,8 @@ symbolic::Program outline(const Declared& function) {
 }
 
 symbolic::Function described(const Declared& function) {
-  const auto& [is, subject, name, kernel] = function;
+  if (!function.parts.empty()) return catalogue::fused_description(function);
+  const auto& [is, subject, name, kernel, parts] = function;
   symbolic::Function result;
   result.group = is->group;
   result.scope = is->scope;
@@ -289,6 +333,7 @@ symbolic::Function described(const Declared& function) {
 }
 
 symbolic::Function trace(const Declared& function, FormulationChoices& choices) {
+  if (!function.parts.empty()) return catalogue::fused_trace(function, choices);
   const Declaration& is = *function.is;
   const Tracing t = tracing_of(function, choices);
   Declared chosen = function;
@@ -296,7 +341,7 @@ symbolic::Function trace(const Declared& function, FormulationChoices& choices) 
   symbolic::Function result = described(chosen);
   result.program = is.program.trace(t);
   result.method = method_of(is, t);
-  result.derivatives = second_derivatives(result.program);
+  result.derivatives = catalogue::second_derivatives(result.program);
   const long operations = is.in_columns ? is.in_columns->operations(function.subject) : 0;
   if (is.in_columns && is.in_columns->is_better(operations)) {
     result.solved = is.in_columns->trace(t);
@@ -305,7 +350,16 @@ symbolic::Function trace(const Declared& function, FormulationChoices& choices) 
   return result;
 }
 
+bool is_formulated(const Declared& function) {
+  if (!function.parts.empty()) return std::any_of(function.parts.begin(), function.parts.end(), is_formulated);
+  return function.is->program.search != Search::none;
+}
+
 bool may_fold_like_others(const Declared& function, FormulationChoices& choices) {
+  if (!function.parts.empty())
+    return std::any_of(function.parts.begin(), function.parts.end(), [&](const Declared& part) {
+      return may_fold_like_others(part, choices);
+    });
   const Of of = function.is->of;
   return (of == Of::robot || of == Of::contacts) &&
          !tracing_of(function, choices).choice.formulation.representative.empty();

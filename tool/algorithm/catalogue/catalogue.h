@@ -16,6 +16,7 @@ struct Declared {
   Subject subject;
   std::string name;    // `fr_base_X_fr_foot`; overloads share it and differ in loads
   std::string kernel;  // `homogeneous_fr_base_X_fr_foot`, `inverse_dynamics_external`: unique among the functions
+  std::vector<Declared> parts = {};  // of a fused function: the functions whose results it has, for the same loads
 };
 
 // The functions of one group, overloads one after another, fewest inputs first; none if the group is not available.
@@ -57,6 +58,9 @@ std::vector<symbolic::Function> functions(
     const model::DesiredTransforms& desired,
     const std::string& group,
     const Formulation& formulation = {});
+
+// Whether its program depends on the formulation.
+bool is_formulated(const Declared& function);
 
 // Whether constants of a program fold like a representative, so that it may differ from the program of the same
 // function without representatives.

@@ -70,6 +70,13 @@ struct ColumnForm {
   symbolic::SolvedColumns (*trace)(const Tracing&);
 };
 
+// Another way to compute a bias, for functions that are fused with bias_forces: from the motions of the links, which it
+// has in common with these. It takes gravity as they do.
+struct FromBiasForces {
+  Condition applies;
+  symbolic::Program (*trace)(const Tracing&);
+};
+
 // Inputs follow the parameters of the model, and precede the gravity and the external wrenches of overloads.
 struct Signature {
   std::vector<Array> inputs, outputs;
@@ -78,7 +85,7 @@ struct Signature {
 
 // How the program is traced, and for which search of link frames.
 struct Source {
-  symbolic::Program (*trace)(const Tracing&);
+  symbolic::Program (*trace)(const Tracing&) = nullptr;
   Search search = Search::none;
 };
 
@@ -89,8 +96,8 @@ struct Declaration {
   Of of = Of::robot;
   Condition exists = nullptr;
   std::vector<const char*> summary = {};
-  Signature signature;
-  Source program;
+  Signature signature = {};
+  Source program = {};
   std::vector<const char*> remarks = {};  // the end of the summary
   // Uses the bodies, rotors and parameters of the model as they are. (The Coriolis matrix of a robot depends on how its
   // mass is assigned to links.)
@@ -98,6 +105,14 @@ struct Declaration {
   std::vector<std::string> (*labels)(const Subject&) = nullptr;  // of columns
   Method method = Method::frames;                                // if there is a search
   std::optional<ColumnForm> in_columns = {};
+  // The program may be traced in the link frames of functions that it is fused with, if the base floats: it is then of
+  // the same composite bodies.
+  bool joins_frames = false;
+  std::optional<FromBiasForces> from_bias_forces = {};
+  // In place of a signature: the names of the functions (find.h) whose results are its results, part by part. A program
+  // is not needed, but may cost less than those of the parts together; nullopt for a subject that has none.
+  std::vector<std::string> (*parts)(const Subject&) = nullptr;
+  std::optional<symbolic::Program> (*together)(const Tracing&) = nullptr;
   const char* group = "";  // set by declarations()
 };
 

@@ -147,18 +147,21 @@ Declarations dynamics_declarations() {
        {{.name = "center_of_mass",
          .summary = {"Centre of mass of {what moves} (m), in base coordinates."},
          .signature = {{q}, {{"com", Role::position, rows<3>}}},
-         .program = {by<center_of_mass>}},
+         .program = {by<center_of_mass>},
+         .joins_frames = true},
         {.name = "center_of_mass_jacobian",
          .summary = {"Velocity (m/s) of the centre of mass of {what moves}, in base axes: 3 rows.", kColumnsOfVelocity},
          .signature = {{q}, {matrix("J", rows<3>, velocities)}},
-         .program = {by<center_of_mass_jacobian>}},
+         .program = {by<center_of_mass_jacobian>},
+         .joins_frames = true},
         {.name = "centroidal_momentum_matrix",
          .summary =
              {"Spatial momentum of {what moves} about the centre of mass, in base axes: 3 rows of angular momentum (N "
               "m s), 3 of linear momentum (N s) (Orin, Goswami, Lee 2013).",
               kColumnsOfVelocity},
          .signature = {{q}, {matrix("A", rows<6>, velocities)}},
-         .program = {by<centroidal_momentum_matrix>}},
+         .program = {by<centroidal_momentum_matrix>},
+         .joins_frames = true},
         {.name = "total_mass",
          .exists = [](const Subject& s) { return !s.tree.parameters.empty(); },  // otherwise it is a constant
          .summary = {"Mass of {what moves} (kg)."},
@@ -184,7 +187,8 @@ Declarations dynamics_declarations() {
               "Orin 2016).",
               "The rate of the momentum equals the external moment about the centre of mass, and the external force."},
          .signature = {{q, qd, base_velocity}, {value("bias", rows<6>)}},
-         .program = {by<centroidal_momentum_bias>}}}}};
+         .program = {by<centroidal_momentum_bias>},
+         .joins_frames = true}}}};
 }
 
 }  // namespace robcogen::algorithm::catalogue

@@ -31,6 +31,29 @@ symbolic::Program transform(const Tracing& t) {
       t.tree, path_between(t.tree, t.choices.motions(), t.frames), of_scope<TransformForm>(t.scope), t.name);
 }
 
+std::vector<std::string> poses_of_frames(const Subject& s) {
+  const std::string base = s.tree.frames().front().name;
+  std::vector<std::string> functions;
+  for (const model::Frame& frame : model::default_frames(s.tree))
+    functions.push_back(
+        is_floating(s) ? "world.X_" + frame.name : "transforms.homogeneous." + base + "_X_" + frame.name);
+  return functions;
+}
+
+template <Role role>
+symbolic::Program bias_in_left(const Tracing& t) {
+  return bias_from_forces(t.tree, t.frames, BiasAxes::of_left, role, t.name, t.loads, t.choice.formulation);
+}
+
+bool is_seen_from_fixed_base(const Subject& s) {
+  return is_fixed(s) && s.tree.link_of(s.frames.left) == 0;
+}
+
+std::optional<symbolic::Program> poses_in_world(const Tracing& t) {
+  if (is_fixed(t)) return std::nullopt;
+  return world_transforms(t.tree, model::default_frames(t.tree), t.name);
+}
+
 Array jacobian(Role role) {
   return {"J", role, rows<6>, chain};
 }
@@ -68,6 +91,13 @@ Declarations kinematics_declarations() {
                      "in its axes; angular rows first (Siciliano et al. 2009, ch. 3)."},
          .signature = {{q}, {jacobian(Role::jacobian)}},
          .program = {by<geometric_jacobian>}}}},
+      {"all_frames",
+       {{.name = "all_frames",
+         .exists = [](const Subject& s) { return model::default_frames(s.tree).size() > 1; },
+         .summary = {"Poses of all frames, 4 x 4: {floating?world_X_frame, for a base with a pose.}"
+                     "{fixed?base_X_frame, which map coordinates in a frame to coordinates in that of the base.}"},
+         .parts = poses_of_frames,
+         .together = poses_in_world}}},
       {"jacobian_references",
        {{.scope = "jacobians::in_target",
          .name = "{A}_J_{B}",
@@ -102,7 +132,8 @@ Declarations kinematics_declarations() {
                      "inertial frame, minus its Jacobian with base columns times (spatial base acceleration, qdd), in "
                      "axes of {A}."},
          .signature = {{q, qd, base_velocity}, {value("a", rows<6>)}},
-         .program = {by<jacobian_with_base_bias>}}}},
+         .program = {by<jacobian_with_base_bias>},
+         .from_bias_forces = FromBiasForces{nullptr, bias_in_left<Role::value>}}}},
       {"jacobian_derivatives",
        {{.scope = "jacobians",
          .name = "{A}_Jd_{B}",
@@ -117,7 +148,8 @@ Declarations kinematics_declarations() {
              {"Time derivative of {A}_J_{B} times the joint velocities: the angular acceleration (rad/s^2) of {B} and "
               "the acceleration (m/s^2) of its origin minus {A}_J_{B} qdd, with respect to {A} and in its axes."},
          .signature = {{q, qd}, {{"a", Role::frame_bias_acceleration, rows<6>}}},
-         .program = {by<jacobian_derivative_times_velocity>}}}},
+         .program = {by<jacobian_derivative_times_velocity>},
+         .from_bias_forces = FromBiasForces{is_seen_from_fixed_base, bias_in_left<Role::frame_bias_acceleration>}}}},
       {"velocities",
        {{.scope = "velocities",
          .name = "{A}_V_{B}",

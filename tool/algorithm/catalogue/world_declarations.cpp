@@ -28,6 +28,14 @@ constexpr const char* kWorldColumns =
 #define RATES "angular velocity (rad/s), then velocity of its origin (m/s)"
 #define ACCELERATIONS "angular acceleration (rad/s^2), then acceleration of its origin (m/s^2)"
 
+symbolic::Program bias_in_world(const Tracing& t) {
+  return bias_from_forces(t.tree, t.frames, BiasAxes::of_world, Role::value, t.name, t.loads, t.choice.formulation);
+}
+
+symbolic::Program bias_in_frame(const Tracing& t) {
+  return bias_from_forces(t.tree, t.frames, BiasAxes::of_frame, Role::value, t.name, t.loads, t.choice.formulation);
+}
+
 // The pose of the base is an input of functions in axes of the world.
 std::vector<Declaration> motions(bool in_target) {
   const char* const scope = in_target ? "world::in_target" : "world";
@@ -42,6 +50,13 @@ std::vector<Declaration> motions(bool in_target) {
         .program = {trace}};
   };
 #define IN_AXES(before, after) in_target ? before "in axes of {B}" after : before "in axes of the world" after
+  Declaration bias = motion(
+      "bias_{B}",
+      {IN_AXES(
+          "Bias of {B}, ",
+          ": its acceleration minus its Jacobian in the world times {accelerations}: " ACCELERATIONS ".")},
+      {{q, qd, base_pose, base_velocity}, {value("a", rows<6>)}}, by<world_bias>);
+  bias.from_bias_forces = {nullptr, in_target ? bias_in_frame : bias_in_world};
   return {
       motion(
           "velocity_{B}", {IN_AXES("Velocity of {B} in the world, ", ": " RATES ".")},
@@ -59,12 +74,7 @@ std::vector<Declaration> motions(bool in_target) {
                ": " RATES "; angular rows first."),
            kWorldColumns},
           {{q, base_pose}, {matrix("J", rows<6>, velocities)}}, by<world_jacobian>),
-      motion(
-          "bias_{B}",
-          {IN_AXES(
-              "Bias of {B}, ",
-              ": its acceleration minus its Jacobian in the world times {accelerations}: " ACCELERATIONS ".")},
-          {{q, qd, base_pose, base_velocity}, {value("a", rows<6>)}}, by<world_bias>)};
+      std::move(bias)};
 }
 
 }  // namespace
@@ -92,24 +102,28 @@ Declarations world_declarations() {
          .name = "center_of_mass",
          .summary = {"Centre of mass of {what moves} in the world (m)."},
          .signature = {{q, base_pose}, {{"com", Role::position, rows<3>}}},
-         .program = {by<center_of_mass>}},
+         .program = {by<center_of_mass>},
+         .joins_frames = true},
         {.scope = "world",
          .name = "center_of_mass_velocity",
          .summary = {"Velocity (m/s) of the centre of mass of {what moves} in axes of the world."},
          .signature = {{q, qd, base_pose, base_velocity}, {value("v", rows<3>)}},
-         .program = {by<center_of_mass_velocity>}},
+         .program = {by<center_of_mass_velocity>},
+         .joins_frames = true},
         {.scope = "world",
          .name = "center_of_mass_jacobian",
          .summary =
              {"Velocity (m/s) of the centre of mass of {what moves} in axes of the world: 3 rows.", kWorldColumns},
          .signature = {{q, base_pose}, {matrix("J", rows<3>, velocities)}},
-         .program = {by<center_of_mass_jacobian>}},
+         .program = {by<center_of_mass_jacobian>},
+         .joins_frames = true},
         {.scope = "world",
          .name = "centroidal_momentum",
          .summary = {"Momentum of {what moves} about the centre of mass, in axes of the world: angular (N m s), then "
                      "linear (N s)."},
          .signature = {{q, qd, base_pose, base_velocity}, {value("h", rows<6>)}},
-         .program = {by<centroidal_momentum>}},
+         .program = {by<centroidal_momentum>},
+         .joins_frames = true},
         {.scope = "world",
          .name = "centroidal_momentum_matrix",
          .summary =
@@ -117,14 +131,16 @@ Declarations world_declarations() {
               "m s), 3 of linear momentum (N s) (Orin, Goswami, Lee 2013).",
               kWorldColumns},
          .signature = {{q, base_pose}, {matrix("A", rows<6>, velocities)}},
-         .program = {by<centroidal_momentum_matrix>}},
+         .program = {by<centroidal_momentum_matrix>},
+         .joins_frames = true},
         {.scope = "world",
          .name = "centroidal_momentum_bias",
          .summary = {"Bias of the centroidal momentum: the rate of angular (N m) and linear (N) momentum minus the "
                      "centroidal momentum matrix in axes of the world times {accelerations}, which is the time "
                      "derivative of the matrix times the velocities (Wensing and Orin 2016)."},
          .signature = {{q, qd, base_pose, base_velocity}, {value("bias", rows<6>)}},
-         .program = {by<centroidal_momentum_bias>}}}}};
+         .program = {by<centroidal_momentum_bias>},
+         .joins_frames = true}}}};
   list.insert(list.end(), of_robot.begin(), of_robot.end());
   return list;
 }

@@ -114,14 +114,14 @@ Force momentum_rate(const TracedRobot& robot, const std::vector<LinkMotion>& mot
 struct CentroidalTrace {
   CentroidalTrace(
       const model::KinematicTree& tree,
-      const RepresentativeLinks& representative,
+      const Formulation& formulation,
       CentroidalAxes axes_,
       std::vector<State> before_pose,
       const std::vector<State>& after_pose = {})
       : axes(axes_),
         trace(tree),
         in(trace, with_pose(std::move(before_pose), after_pose)),
-        robot(trace, in.q, representative) {}
+        robot(trace, in.q, formulation) {}
 
   CentroidalAxes axes;
   Trace trace;
@@ -142,14 +142,25 @@ struct CentroidalTrace {
   }
 };
 
-// Calls add(velocity, its column) for each velocity, base twist first.
-template <class Column, class Add>
-void for_each_velocity(const CentroidalTrace& f, const std::vector<Column>& columns, const Add& add) {
-  std::vector<Expression> velocities;
-  if (f.robot.floating())
-    for (const Vector3& part : {f.in.base_velocity.angular, f.in.base_velocity.linear}) append(velocities, part);
-  for (const int joint : f.trace.tree.coordinates()) velocities.push_back(f.in.qd[at(joint)]);
-  for (std::size_t k = 0; k < columns.size(); ++k) add(velocities[k], columns[k]);
+// The momentum of a body with this velocity.
+Force momentum_of(const MassProperties& body, const Motion& velocity) {
+  const Vector3 &w = velocity.angular, &v = velocity.linear, &h = body.first_moment;
+  return {multiply(inertia_tensor(body), w) + cross(h, v), body.mass * v + cross(w, h)};
+}
+
+// The momentum about the base origin, in base axes.
+Force whole_momentum(const CentroidalTrace& f, const WholeBody& body) {
+  Force sum;
+  if (f.robot.floating()) sum = momentum_of(body.total, f.in.base_velocity);
+  const std::vector<std::vector<MovedJoint>> moved = moved_joints(f.robot.trace);
+  const std::vector<int> coordinates = f.trace.tree.coordinates();
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    const Expression& rate = f.in.qd[at(coordinates[k])];
+    const Force unit = unit_momentum(body, moved[k]);
+    sum.moment += rate * unit.moment;
+    sum.linear += rate * unit.linear;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -157,9 +168,9 @@ void for_each_velocity(const CentroidalTrace& f, const std::vector<Column>& colu
 Program centroidal_momentum_bias(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative,
+    const Formulation& formulation,
     CentroidalAxes axes) {
-  CentroidalTrace f(tree, representative, axes, {State::position, State::velocity}, {State::base_velocity});
+  CentroidalTrace f(tree, formulation, axes, {State::position, State::velocity}, {State::base_velocity});
   const WholeBody body(f.robot);
   const std::vector<Expression> at_rest = f.trace.accelerations_at_rest();
   const LinkMotion base = base_motion(f.in.base_velocity, {}, {});
@@ -182,9 +193,9 @@ Program total_mass(const model::KinematicTree& tree, const std::string& name) {
 Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative,
+    const Formulation& formulation,
     CentroidalAxes axes) {
-  CentroidalTrace f(tree, representative, axes, {State::position});
+  CentroidalTrace f(tree, formulation, axes, {State::position});
   const Vector3 com = f.in.base_position + f.turned(WholeBody(f.robot).com);
   f.trace.output("com", Role::position, std::vector<Expression>{com[0], com[1], com[2]});
   return f.trace.program(name);
@@ -193,9 +204,9 @@ Program center_of_mass(
 Program center_of_mass_jacobian(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative,
+    const Formulation& formulation,
     CentroidalAxes axes) {
-  CentroidalTrace f(tree, representative, axes, {State::position});
+  CentroidalTrace f(tree, formulation, axes, {State::position});
   std::vector<Expression> columns;
   for (const Vector3& column : velocity_columns(WholeBody(f.robot))) append(columns, f.turned(column));
   f.trace.output("J", Role::matrix, 3, static_cast<int>(columns.size() / 3), columns);
@@ -205,9 +216,9 @@ Program center_of_mass_jacobian(
 Program centroidal_momentum_matrix(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative,
+    const Formulation& formulation,
     CentroidalAxes axes) {
-  CentroidalTrace f(tree, representative, axes, {State::position});
+  CentroidalTrace f(tree, formulation, axes, {State::position});
   std::vector<Expression> columns;
   for (const Force& column : momentum_columns(WholeBody(f.robot))) {
     append(columns, f.turned(column.moment));
@@ -220,29 +231,22 @@ Program centroidal_momentum_matrix(
 Program center_of_mass_velocity(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative) {
+    const Formulation& formulation) {
   CentroidalTrace f(
-      tree, representative, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
-  Vector3 sum;
-  for_each_velocity(
-      f, velocity_columns(WholeBody(f.robot)), [&](const Expression& v, const Vector3& column) { sum += v * column; });
-  const Vector3 velocity = f.turned(sum);
+      tree, formulation, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
+  const WholeBody body(f.robot);
+  const Vector3 velocity = f.turned(body.per_mass * whole_momentum(f, body).linear);
   f.trace.output("v", Role::value, std::vector<Expression>{velocity[0], velocity[1], velocity[2]});
   return f.trace.program(name);
 }
 
-Program centroidal_momentum(
-    const model::KinematicTree& tree,
-    const std::string& name,
-    const RepresentativeLinks& representative) {
+Program centroidal_momentum(const model::KinematicTree& tree, const std::string& name, const Formulation& formulation) {
   CentroidalTrace f(
-      tree, representative, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
-  Force sum;
-  for_each_velocity(f, momentum_columns(WholeBody(f.robot)), [&](const Expression& v, const Force& column) {
-    sum.moment += v * column.moment;
-    sum.linear += v * column.linear;
-  });
-  f.trace.output("h", Role::value, f.turned(sum));
+      tree, formulation, CentroidalAxes::of_world, {State::position, State::velocity}, {State::base_velocity});
+  const WholeBody body(f.robot);
+  Force momentum = whole_momentum(f, body);
+  momentum.moment -= cross(body.com, momentum.linear);
+  f.trace.output("h", Role::value, f.turned(momentum));
   return f.trace.program(name);
 }
 

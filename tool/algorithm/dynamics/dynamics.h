@@ -199,24 +199,26 @@ symbolic::Program total_mass(const model::KinematicTree& tree, const std::string
 // case `base_pose` (Role::base_pose) is an input after those of the joints.
 enum class CentroidalAxes { of_base, of_world };
 
+// In these functions, other mass properties than those of the links (base parameters) are for floating bases only.
+
 // The centre of mass of all that moves: q -> com. In axes of the base it is zero if no moving link has mass.
 symbolic::Program center_of_mass(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {},
+    const Formulation& formulation = plain_formulation(),
     CentroidalAxes axes = CentroidalAxes::of_base);
 // The Jacobian of the velocity of that point: q -> J, 3 x n, or 3 x (6 + n) base twist first.
 symbolic::Program center_of_mass_jacobian(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {},
+    const Formulation& formulation = plain_formulation(),
     CentroidalAxes axes = CentroidalAxes::of_base);
 // The matrix of the spatial momentum about that point (Orin, Goswami, Lee 2013): q -> A, 6 x n, or 6 x (6 + n) base
 // twist first; angular rows first.
 symbolic::Program centroidal_momentum_matrix(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {},
+    const Formulation& formulation = plain_formulation(),
     CentroidalAxes axes = CentroidalAxes::of_base);
 
 // The rate of that momentum in an inertial frame, minus A times (base acceleration, qdd) (Wensing and Orin 2016): q, qd
@@ -224,7 +226,7 @@ symbolic::Program centroidal_momentum_matrix(
 symbolic::Program centroidal_momentum_bias(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {},
+    const Formulation& formulation = plain_formulation(),
     CentroidalAxes axes = CentroidalAxes::of_base);
 
 // The velocity of the centre of mass and the momentum about it, in axes of the world: q, qd, base_pose [,
@@ -232,11 +234,11 @@ symbolic::Program centroidal_momentum_bias(
 symbolic::Program center_of_mass_velocity(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {});
+    const Formulation& formulation = plain_formulation());
 symbolic::Program centroidal_momentum(
     const model::KinematicTree& tree,
     const std::string& name,
-    const RepresentativeLinks& representative = {});
+    const Formulation& formulation = plain_formulation());
 
 // q, qd [, base_velocity] -> T, summed over the links.
 symbolic::Program kinetic_energy(

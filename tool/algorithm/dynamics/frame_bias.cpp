@@ -5,11 +5,9 @@
 #include "algorithm/kinematics/path.h"
 
 namespace robcogen::algorithm {
-namespace {
 
 using symbolic::Role;
 
-// The origin of a frame, in the frame that the recursions use for its link.
 Vector3 origin_of(const TracedRobot& robot, const model::Frame& frame) {
   const model::KinematicTree& tree = robot.tree();
   Vector3 origin;
@@ -22,8 +20,6 @@ Vector3 origin_of(const TracedRobot& robot, const model::Frame& frame) {
   origin[2] += pose.slide;
   return pose.offset + to_parent(pose.rotation, origin);
 }
-
-}  // namespace
 
 Motion acceleration_of(const TracedRobot& robot, const std::vector<LinkMotion>& motions, const model::Frame& frame) {
   const model::KinematicTree& tree = robot.tree();

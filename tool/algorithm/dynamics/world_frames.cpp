@@ -101,7 +101,83 @@ Program acceleration(const KinematicTree& tree, const Frame& frame, Axes axes, b
   return trace.program(name);
 }
 
+// The acceleration of a frame, less gravity, in its own axes: angular, and of its origin.
+Motion proper_acceleration(const TracedRobot& robot, const LinkMotion& motion, const Frame& frame) {
+  const int link = robot.tree().link_of(frame);
+  Motion a{motion.angular.wd, motion.a + multiply_u(motion.angular, origin_of(robot, frame))};
+  const auto turn = [&](const Rotation& rotation) {
+    a = {to_child(rotation, a.angular), to_child(rotation, a.linear)};
+  };
+  if (!robot.frames_of_model.empty()) turn(robot.frames_of_model[at(link)].rotation);
+  turn(pose_in_link(robot.trace, frame).rotation);
+  return a;
+}
+
 }  // namespace
+
+Program bias_from_forces(
+    const KinematicTree& tree,
+    const model::FramePair& frames,
+    BiasAxes axes,
+    Role role,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  Trace trace(tree);
+  std::vector<State> list = {State::position, State::velocity};
+  if (axes == BiasAxes::of_world) list.push_back(State::base_pose);
+  list.push_back(State::base_velocity);
+  const StateInputs in(trace, list);
+  const LoadInputs load(trace, std::min(loads, Loads::gravity));
+  const TracedRobot robot(trace, in.q, formulation);
+  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
+  LinkMotion motion = base_motion(in.base_velocity, {}, load.gravity);
+  for (const int j : joints_to(tree, tree.link_of(frames.right)))
+    motion = across_joint(robot.joint(j), robot.pose(j), motion, in.qd, at_rest);
+  Motion a = proper_acceleration(robot, motion, frames.right);
+  const Frame left = axes == BiasAxes::of_left ? frames.left : base_frame(tree);
+  const Matrix3 rotation =
+      walk(trace, path_between(tree, {left, frames.right}), in.q, [](const PathSegment&, const PathPose&) {}).rotation;
+  trace.section(frames.right.name, "acceleration of frame " + frames.right.name);
+  const Vector3 gravity = to_child(pose_in_link(trace, left).rotation, load.gravity);
+  if (axes == BiasAxes::of_frame) {
+    for (std::size_t k = 0; k < 3; ++k) a.linear[k] += dot(column(rotation, k), gravity);
+  } else {
+    a = {multiply(rotation, a.angular), multiply(rotation, a.linear) + gravity};
+  }
+  if (axes == BiasAxes::of_world) a = in_axes(in.base_rotation, a, false);
+  trace.output("a", role, a);
+  return trace.program(name);
+}
+
+namespace {
+
+// A rotation and a position as a matrix of 4 x 4, column by column.
+std::vector<Expression> homogeneous(Graph& graph, const Matrix3& R, const Vector3& p) {
+  std::vector<Expression> X;
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t r = 0; r < 3; ++r) X.push_back(c < 3 ? R[r][c] : p[r]);
+    X.push_back(c < 3 ? Expression() : graph.one());
+  }
+  return X;
+}
+
+}  // namespace
+
+// Paths that begin alike compute the same poses.
+Program world_transforms(const KinematicTree& tree, const std::vector<Frame>& frames, const std::string& name) {
+  Trace trace(tree);
+  const StateInputs in(trace, {State::position, State::base_pose});
+  for (const Frame& frame : frames) {
+    PathPose here = start(trace.graph);
+    here.rotation = in.base_rotation;
+    here.position = in.base_position;
+    for (const PathSegment& segment : path_between(tree, {base_frame(tree), frame}))
+      advance(here, pose_of(trace, segment, in.q));
+    trace.output("X_" + frame.name, Role::matrix, 4, 4, homogeneous(trace.graph, here.rotation, here.position));
+  }
+  return trace.program(name);
+}
 
 Program world_transform(const KinematicTree& tree, const Frame& frame, const std::string& name) {
   Trace trace(tree);
@@ -111,12 +187,7 @@ Program world_transform(const KinematicTree& tree, const Frame& frame, const std
   trace.section("world", "in the world");
   const Matrix3 R = in.base_rotation * end.rotation;
   const Vector3 p = in.base_position + multiply(in.base_rotation, end.position);
-  std::vector<Expression> X;
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t r = 0; r < 3; ++r) X.push_back(c < 3 ? R[r][c] : p[r]);
-    X.push_back(c < 3 ? Expression() : trace.graph.one());
-  }
-  trace.output("X", Role::matrix, 4, 4, X);
+  trace.output("X", Role::matrix, 4, 4, homogeneous(trace.graph, R, p));
   return trace.program(name);
 }
 

@@ -7,7 +7,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "algorithm/dynamics/loads.h"
+#include "algorithm/formulation/formulation.h"
 #include "model/kinematic_tree.h"
 #include "symbolic/program.h"
 
@@ -17,6 +20,12 @@ enum class Axes { of_world, of_frame };
 
 // q, base_pose -> X: world_X_frame, 4 x 4.
 symbolic::Program world_transform(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
+
+// q, base_pose -> X, for each of these frames: from the pose of the base along the tree.
+symbolic::Program world_transforms(
+    const model::KinematicTree& tree,
+    const std::vector<model::Frame>& frames,
+    const std::string& name);
 
 // q, base_pose -> p: the origin of the frame.
 symbolic::Program world_position(const model::KinematicTree& tree, const model::Frame& frame, const std::string& name);
@@ -49,5 +58,18 @@ symbolic::Program world_bias(
     const model::Frame& frame,
     Axes axes,
     const std::string& name);
+
+// The bias of a frame from the motion of its link as the recursion of bias_forces has it, with gravity, for programs
+// that are fused with these: in axes of `left`, which is on the base, in those of the world, or in those of the frame.
+// q, qd [, base_pose] [, base_velocity] [, gravity] -> a, with this role.
+enum class BiasAxes { of_left, of_world, of_frame };
+symbolic::Program bias_from_forces(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    BiasAxes axes,
+    symbolic::Role role,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation);
 
 }  // namespace robcogen::algorithm

@@ -1,6 +1,7 @@
 #include "algorithm/search/choices.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/formulation/rotor_spin.h"
@@ -78,28 +79,78 @@ const ForwardDynamicsChoice& FormulationChoices::forward_dynamics() {
   });
 }
 
+namespace {
+
+// Adds a formulation unless one with its frames is in the list.
+void add_distinct(std::vector<const Formulation*>& list, const Formulation& f) {
+  const bool is_new =
+      std::none_of(list.begin(), list.end(), [&](const Formulation* other) { return other->frames == f.frames; });
+  if (is_new) list.push_back(&f);
+}
+
+// As it is traced to be counted.
+Formulation draft_of(Formulation formulation) {
+  formulation.is_draft = true;
+  formulation.representative.clear();
+  return formulation;
+}
+
+}  // namespace
+
 Formulation FormulationChoices::cheapest_for(const TraceOfProgram& trace, bool with_inertia) {
   std::vector<const Formulation*> tried = {&common_};
-  const auto add = [&](const Formulation& f) {
-    const bool is_new =
-        std::none_of(tried.begin(), tried.end(), [&](const Formulation* other) { return other->frames == f.frames; });
-    if (is_new) tried.push_back(&f);
-  };
-  add(newton_euler());
-  if (with_inertia) add(inertia());
+  add_distinct(tried, newton_euler());
+  if (with_inertia) add_distinct(tried, inertia());
   if (tried.size() == 1) return common_;
-  const auto work = [&](Formulation formulation) {
-    formulation.is_draft = true;
-    formulation.representative.clear();
-    return symbolic::work(trace(formulation));
-  };
   const Formulation* cheapest = tried.front();
-  auto least = work(*cheapest);
+  auto least = symbolic::work(trace(draft_of(*cheapest)));
   for (std::size_t k = 1; k < tried.size(); ++k) {
-    const auto other = work(*tried[k]);
+    const auto other = symbolic::work(trace(draft_of(*tried[k])));
     if (other < least) cheapest = tried[k], least = other;
   }
   return *cheapest;
+}
+
+std::optional<Formulation> FormulationChoices::common_choice(
+    const std::vector<Search>& searches,
+    const std::string& function,
+    const TraceOfParts& trace) {
+  Lazy<std::optional<Formulation>>* found = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    found = &parts_[function];
+  }
+  return found->get([&] {
+    std::vector<const Formulation*> tried = {&common_};
+    for (const Search search : searches) add_distinct(tried, of(search));
+    std::optional<Formulation> cheapest = *tried.back();
+    if (tried.size() == 1) return cheapest;
+    auto least = symbolic::work(trace(nullptr));
+    cheapest.reset();
+    for (const Formulation* f : tried) {
+      const Formulation draft = draft_of(*f);
+      const auto other = symbolic::work(trace(&draft));
+      if (other <= least) cheapest = *f, least = other;
+    }
+    return cheapest;
+  });
+}
+
+const Formulation& FormulationChoices::of(Search search) {
+  switch (search) {
+    case Search::newton_euler:
+      return newton_euler();
+    case Search::unactuated_base:
+      return unactuated_base();
+    case Search::inertia:
+      return inertia();
+    case Search::inverse_dynamics_derivatives:
+      return inverse_dynamics_derivatives();
+    case Search::forward_dynamics:
+      return forward_dynamics().formulation;
+    default:
+      return common_;
+  }
 }
 
 ForwardDynamicsChoice FormulationChoices::choice(
@@ -109,23 +160,17 @@ ForwardDynamicsChoice FormulationChoices::choice(
   const auto with = [](const Formulation& f) { return ForwardDynamicsChoice{{}, f}; };
   switch (search) {
     case Search::none: {
-      Formulation of_model;
+      Formulation of_model = plain_formulation();
       of_model.representative = representative_of_model_;
       return with(of_model);
     }
-    case Search::newton_euler:
-      return with(newton_euler());
-    case Search::unactuated_base:
-      return with(unactuated_base());
-    case Search::inertia:
-      return with(inertia());
-    case Search::inverse_dynamics_derivatives:
-      return with(inverse_dynamics_derivatives());
     case Search::forward_dynamics:
       return forward_dynamics();
     case Search::cheaper:
     case Search::cheapest:
       break;
+    default:
+      return with(of(search));
   }
   Lazy<Formulation>* found = nullptr;
   {

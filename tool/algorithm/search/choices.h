@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,14 @@ class FormulationChoices {
   const ForwardDynamicsChoice& forward_dynamics();
   // The choice for a function. `trace` is called to compare formulations, once for all calls with the same name.
   ForwardDynamicsChoice choice(Search search, const std::string& function, const TraceOfProgram& trace);
+  // The formulation for a function of several parts, each of which has one of these searches, in which all parts
+  // together cost least; nullopt if they cost less with a choice of their own each. `trace(nullptr)` traces them so.
+  // It is called once for all calls with the same name.
+  using TraceOfParts = std::function<symbolic::Program(const Formulation*)>;
+  std::optional<Formulation> common_choice(
+      const std::vector<Search>& searches,
+      const std::string& function,
+      const TraceOfParts& trace);
   // The program joint_space_inertia_factor, whose sparsity other programs have.
   const symbolic::Program& inertia_factor();
   // The motions between frames.
@@ -77,8 +86,10 @@ class FormulationChoices {
   };
   Lazy<std::unique_ptr<const Motions>> motions_;
   std::mutex mutex_;
-  std::map<std::string, Lazy<Formulation>> cheapest_;  // by function
+  std::map<std::string, Lazy<Formulation>> cheapest_;              // by function
+  std::map<std::string, Lazy<std::optional<Formulation>>> parts_;  // by function
 
+  const Formulation& of(Search search);
   Formulation cheapest_for(const TraceOfProgram& trace, bool with_inertia);
 
   // `start` with frames that suit this trace; the search begins at the frames of `start`.

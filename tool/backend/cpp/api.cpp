@@ -1,7 +1,6 @@
 #include "backend/cpp/api.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -87,17 +86,6 @@ std::string common_structure(const Program& program) {
   if (first == Role::joint_force && second == Role::base_wrench) return "GeneralizedForce";
   if (first == Role::joint_acceleration && second == Role::base_acceleration) return "GeneralizedAcceleration";
   return "";
-}
-
-// `inverse_dynamics_derivatives` -> `InverseDynamicsDerivatives`.
-std::string name_of_structure(const std::string& function) {
-  std::string name;
-  bool begins = true;
-  for (const char c : function) {
-    if (c != '_') name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-    begins = c == '_';
-  }
-  return name;
 }
 
 // `transforms::motion` -> `motion`.

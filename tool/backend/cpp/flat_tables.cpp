@@ -1,5 +1,8 @@
 #include "backend/cpp/flat_tables.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "backend/cpp/layout.h"
 
 namespace robcogen::backend::cpp {
@@ -41,6 +44,19 @@ std::vector<Field> row_of(
   const std::string variation = "robcogen::reflection::Variation::";
   if (is_of_pose || is_by_rotation) row.emplace_back(variation + (is_of_pose ? "of_base_pose" : "of_gravity_in_base"));
   return row;
+}
+
+// Where the inputs of a part are among those of the function.
+std::vector<std::vector<Field>> inputs_of_part(const symbolic::Program& function, const symbolic::Program& part) {
+  std::vector<std::vector<Field>> rows;
+  for (std::size_t i = 0; i < part.inputs.size(); ++i) {
+    std::size_t place = 0;
+    while (function.inputs[place].name != part.inputs[i].name) ++place;
+    rows.push_back(
+        {static_cast<int>(offset_of(function, place)), static_cast<int>(offset_of(part, i)),
+         static_cast<int>(part.inputs[i].elements.size())});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -106,6 +122,29 @@ Table derivatives(const std::vector<const Callable*>& functions, bool has_cache)
       rows.push_back(row_of(c, f, block, has_cache));
   }
   return table("Derivative", "kDerivatives", rows);
+}
+
+Table parts(const std::vector<const Callable*>& functions) {
+  std::vector<std::vector<Field>> inputs, rows;
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const Function& function = *functions[f]->function;
+    for (const symbolic::Part& part : function.parts) {
+      const auto found = std::find_if(
+          functions.begin(), functions.end(), [&](const Callable* c) { return c->function->kernel == part.kernel; });
+      if (found == functions.end()) continue;
+      const std::size_t first = inputs.size();
+      for (std::vector<Field>& row : inputs_of_part(function.program, (*found)->function->program))
+        inputs.push_back(std::move(row));
+      rows.push_back(
+          {quoted(functions[f]->kernel + ": " + (*found)->kernel), static_cast<int>(f),
+           static_cast<int>(found - functions.begin()),
+           static_cast<int>(offsets_of_outputs(function.program)[static_cast<std::size_t>(part.first_output)]),
+           "kPartInputs + " + std::to_string(first), static_cast<int>(inputs.size() - first)});
+    }
+  }
+  Table all = table("Part", "kParts", rows);
+  if (!rows.empty()) all.definition = table("PartInput", "kPartInputs", inputs).definition + "\n" + all.definition;
+  return all;
 }
 
 }  // namespace robcogen::backend::cpp

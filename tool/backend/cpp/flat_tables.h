@@ -38,4 +38,7 @@ std::vector<Field> function_row(const Callable& c);
 // order. `has_cache`: the functions read the cache instead of the parameters.
 Table derivatives(const std::vector<const Callable*>& functions, bool has_cache);
 
+// The tables of the parts of fused functions among these (robcogen::reflection::Part).
+Table parts(const std::vector<const Callable*>& functions);
+
 }  // namespace robcogen::backend::cpp

@@ -15,6 +15,13 @@ using c_family::is_reserved;
 // system headers (`sincos`, `index`, `stat`, …), which globals.inc lists, and namespaces that generated code names.
 bool is_reserved_namespace(const std::string& name);
 
+// `inverse_dynamics_derivatives` -> `InverseDynamicsDerivatives`: the structure of the results of a function.
+std::string name_of_structure(const std::string& function);
+
+// Whether a function of this name, or the structure of its results, would have a name that the namespace of a robot has
+// for something else.
+bool is_taken(const std::string& function);
+
 inline std::string identifier(const std::string& wanted) {
   return backend::identifier(wanted, is_reserved);
 }

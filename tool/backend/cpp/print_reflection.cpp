@@ -337,10 +337,11 @@ struct LastField {
 
 // Tables that most robots do not have.
 struct RareTables {
-  Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels;
+  Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels, parts;
 
   std::vector<const Table*> all() const {
-    return {&parameters, &couplings, &derivatives, &contacts, &loops, &actuators, &followers, &actuator_kernels};
+    return {&parameters, &couplings, &derivatives,      &contacts, &loops,
+            &actuators,  &followers, &actuator_kernels, &parts};
   }
 };
 
@@ -356,7 +357,8 @@ RareTables rare_tables(const Api& api, const ModelTables& of_model) {
       tree.loops.empty() ? none : of_model.loops(),
       tree.actuators.empty() ? none : of_model.actuators(),
       tree.followers_in_q().empty() ? none : of_model.followers(),
-      tree.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api)};
+      tree.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api),
+      parts(all_callables(api))};
 }
 
 std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
@@ -379,7 +381,8 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
       {rare.loops.reference, "loops", kNoTable},
       {rare.actuators.reference, "actuators", kNoTable},
       {rare.followers.reference, "followers", kNoTable},
-      {rare.actuator_kernels.reference, "kernels of actuators", "{}"}};
+      {rare.actuator_kernels.reference, "kernels of actuators", "{}"},
+      {rare.parts.reference, "parts of fused functions", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }

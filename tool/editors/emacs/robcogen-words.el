@@ -101,6 +101,7 @@
     "right_frame"))
 (defconst robcogen-dtdsl-words
   '("Contacts"
+    "Functions"
     "for"
     "in"
     "point"

@@ -1,4 +1,5 @@
-// A desired-transforms document (.dtdsl) as written: which coordinate transforms and Jacobians to generate.
+// A desired-transforms document (.dtdsl) as written: which coordinate transforms, Jacobians and fused
+// functions to generate.
 #pragma once
 
 #include <memory>
@@ -42,6 +43,12 @@ struct Contact {
   bool is_surface = false;
 };
 
+// `control = bias_forces + jacobians.fr_base_J_fr_foot`: a function with the results of others.
+struct Function {
+  Name name;
+  std::vector<Name> parts;  // with their scopes
+};
+
 struct Document {
   std::shared_ptr<const Source> source;
   Name robot;
@@ -50,6 +57,7 @@ struct Document {
   std::vector<Pair> transforms;
   std::vector<Pair> jacobians;
   std::vector<Contact> contacts;
+  std::vector<Function> functions;
   std::vector<std::string> comments;
 };
 

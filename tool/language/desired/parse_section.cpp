@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "language/desired/parse_function.h"
 #include "language/desired/parse_loop.h"
 #include "language/desired/parse_pair.h"
 
@@ -85,6 +86,27 @@ void read_pairs(const Section& section, const Token& open, int loop, std::vector
   cursor.take();
 }
 
+// Parses definitions of functions. After an error in one, continues at the next.
+void read_functions(const Section& section, const Token& open, std::vector<Function>& functions) {
+  Cursor& cursor = section.cursor;
+  const std::size_t inside = cursor.open_blocks();
+  while (!cursor.at("}")) {
+    cursor.begin_statement();
+    if (cursor.at_end()) cursor.unexpected("'}'", "");
+    if (at_section(cursor)) section.report_missing_brace(open);
+    try {
+      functions.push_back(read_function(cursor));
+    } catch (const SyntaxError&) {
+      cursor.skip_until([&] {
+        return (cursor.at("}") && cursor.open_blocks() <= inside) || (cursor.at_name() && cursor.at("=", 1)) ||
+               at_section(cursor);
+      });
+      if (cursor.at_end() || at_section(cursor)) throw;
+    }
+  }
+  cursor.take();
+}
+
 }  // namespace
 
 void read_section(Cursor& cursor, const Token& word, Document& document) {
@@ -94,6 +116,8 @@ void read_section(Cursor& cursor, const Token& word, Document& document) {
     read_list(section, open, Name::kNoLoop, [&](int loop) { document.frames.push_back(read_frame(cursor, loop)); });
   else if (word.text == "Contacts")
     read_list(section, open, Name::kNoLoop, [&](int loop) { document.contacts.push_back(read_contact(cursor, loop)); });
+  else if (word.text == "Functions")
+    read_functions(section, open, document.functions);
   else
     read_pairs(section, open, Name::kNoLoop, word.text == "Transforms" ? document.transforms : document.jacobians);
 }

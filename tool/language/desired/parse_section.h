@@ -1,4 +1,5 @@
-// Parses the sections `Frames { … }`, `Transforms { … }`, `Jacobians { … }` and `Contacts { … }`.
+// Parses the sections `Frames { … }`, `Transforms { … }`, `Jacobians { … }`, `Contacts { … }` and
+// `Functions { … }`.
 #pragma once
 
 #include "language/desired/parse_frame.h"

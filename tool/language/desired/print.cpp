@@ -2,12 +2,19 @@
 
 #include "language/desired/document.h"
 #include "language/desired/keywords.h"
+#include "support/concat.h"
 
 namespace robcogen::language::desired {
 namespace {
 
 std::string name(const std::string& text) {
   return is_keyword(text) ? "^" + text : text;
+}
+// `scope.name`, in which each word is escaped.
+std::string escaped(const std::string& dotted) {
+  const std::size_t dot = dotted.find('.');
+  if (dot == std::string::npos) return name(dotted);
+  return name(dotted.substr(0, dot)) + "." + escaped(dotted.substr(dot + 1));
 }
 std::string name(const Name& n) {
   return name(n.text);
@@ -55,6 +62,22 @@ std::string contacts(const Document& d) {
   return "Contacts {\n" + lines(d.contacts, d.loops, ",", line) + "}\n";
 }
 
+// The parts one below another, if they are too long for a line.
+std::string function(const Function& f) {
+  constexpr std::size_t kColumns = 120;
+  std::vector<std::string> parts;
+  for (const Name& part : f.parts) parts.push_back(escaped(part.text));
+  const std::string head = "    " + name(f.name) + " = ", line = head + joined(parts, " + ") + "\n";
+  return line.size() <= kColumns + 1 ? line
+                                     : head + joined(parts, "\n" + std::string(head.size() - 2, ' ') + "+ ") + "\n";
+}
+
+std::string functions(const Document& d) {
+  std::string out = "Functions {\n";
+  for (const Function& f : d.functions) out += function(f);
+  return out + "}\n";
+}
+
 bool same(const Name& a, const Name& b) {
   return a.text == b.text && a.instance == b.instance && a.loop == b.loop;
 }
@@ -67,10 +90,15 @@ bool same(const Contact& a, const Contact& b) {
 }
 
 bool same(const Loop& a, const Loop& b);
+bool same(const Function& a, const Function& b);
 
 template <class T>
 bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
+}
+
+bool same(const Function& a, const Function& b) {
+  return same(a.name, b.name) && all_same(a.parts, b.parts);
 }
 
 bool same(const Loop& a, const Loop& b) {
@@ -96,13 +124,14 @@ std::string print(const Document& d) {
   out += pairs("Transforms", d.transforms, d.loops);
   if (!d.jacobians.empty()) out += "\n" + pairs("Jacobians", d.jacobians, d.loops);
   if (!d.contacts.empty()) out += "\n" + contacts(d);
+  if (!d.functions.empty()) out += "\n" + functions(d);
   return out;
 }
 
 bool equal(const Document& a, const Document& b) {
   return same(a.robot, b.robot) && all_same(a.loops, b.loops) && all_same(a.frames, b.frames) &&
          all_same(a.transforms, b.transforms) && all_same(a.jacobians, b.jacobians) &&
-         all_same(a.contacts, b.contacts) && a.comments == b.comments;
+         all_same(a.contacts, b.contacts) && all_same(a.functions, b.functions) && a.comments == b.comments;
 }
 
 }  // namespace robcogen::language::desired

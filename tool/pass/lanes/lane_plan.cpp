@@ -33,6 +33,7 @@ class LanePacker {
 
   LanePlan run() {
     for (const symbolic::OutputArray& array : p_.outputs) pack_outputs(array);
+    pack_across_outputs();
     expand_all();
     return std::move(plan_);
   }
@@ -50,6 +51,23 @@ class LanePacker {
 
   const Statement& statement(const Operand& o) const { return p_.statements[at(o.index)]; }
 
+  // What is left of arrays of one shape, by class and lane, and how many arrays these were.
+  struct Rest {
+    int rows, columns;
+    symbolic::Role role;
+    std::vector<std::vector<std::vector<Operand>>> lists;
+    int arrays = 0;
+  };
+  std::vector<Rest> rests_;
+
+  Rest& rest_like(const symbolic::OutputArray& array) {
+    for (Rest& rest : rests_)
+      if (rest.rows == array.rows && rest.columns == array.columns && rest.role == array.role) return rest;
+    Rest& rest = rests_.emplace_back(Rest{array.rows, array.columns, array.role, {}});
+    for (std::size_t c = 0; c < classes_.size(); ++c) rest.lists.emplace_back(width(c));
+    return rest;
+  }
+
   // Packs the output elements of the limbs, each value once.
   void pack_outputs(const symbolic::OutputArray& array) {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
@@ -62,8 +80,20 @@ class LanePacker {
         lists[at(owner.lane)].push_back(o);
       }
       for (const Tuple& tuple : correspondence_.match(lists)) plan_.roots.push_back(part(tuple));
+      for (std::size_t lane = 0; lane < lists.size(); ++lane) {
+        std::vector<Operand>& rest = rest_like(array).lists[c][lane];
+        rest.insert(rest.end(), lists[lane].begin(), lists[lane].end());
+      }
     }
+    ++rest_like(array).arrays;
     for (const Operand& o : array.values) need(o);
+  }
+
+  // Each limb may have an array of its own: the Jacobian of its foot.
+  void pack_across_outputs() {
+    for (Rest& rest : rests_)
+      for (std::size_t c = 0; rest.arrays > 1 && c < classes_.size(); ++c)
+        for (const Tuple& tuple : correspondence_.match(rest.lists[c])) plan_.roots.push_back(part(tuple));
   }
 
   std::size_t width(std::size_t c) const { return classes_[c].empty() ? 0 : classes_[c].front().size(); }
