@@ -106,9 +106,11 @@ TEST(FusedFunctions, RefuseRepetitionsAndSingleParts) {
 TEST(FusedFunctions, RefuseTextThatIsNoDefinition) {
   expect_message(
       "joint_space_inertia + bias_forces", "--function:1:21: error: expected '=' after 'joint_space_inertia'");
-  expect_message("c = bias_forces +", "error: expected the name of a function");
+  expect_message(
+      "c = bias_forces +",
+      "--function:1:18: error: the file ends where the name of a function is expected [unexpected-end]");
   expect_message("c = bias_forces + 3", "--function:1:19: error: expected the name of a function, found number '3'");
-  expect_message("c = jacobians. + bias_forces", "expected the name of a function after 'jacobians.'");
+  expect_message("c = jacobians. + bias_forces", "--function:1:14: error: unexpected character '.' [stray-character]");
 }
 
 // Both errors of a text are reported.
