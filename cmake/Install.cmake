@@ -69,7 +69,7 @@ foreach(guide IN LISTS guides)
   cmake_path(GET guide PARENT_PATH folder)
   install(FILES ${guide} DESTINATION share/doc/robcogen/${folder})
 endforeach()
-install(DIRECTORY robots DESTINATION share/doc/robcogen PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY robots DESTINATION share/doc/robcogen PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
 install(DIRECTORY tool/editors DESTINATION share/robcogen PATTERN "*.cpp" EXCLUDE PATTERN "*.md" EXCLUDE)
 
 # What the generator prints about its own command line: the manual page, and completions in the folders of the shells.

@@ -128,6 +128,6 @@ int main() {
   before = milliseconds();
   const double without = percent_upright(forces_only, n, pool), with = percent_upright(plan, n, pool);
   std::printf(
-      "many starts: %.1f %% end upright without feedback, %.1f %% with it; ~%.0f ms for %d million steps\n", without,
+      "many starts: ~%.0f %% end upright without feedback, ~%.0f %% with it; ~%.0f ms for %d million steps\n", without,
       with, milliseconds() - before, 2 * n * kSteps / 1000000);
 }

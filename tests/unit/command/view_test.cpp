@@ -41,7 +41,7 @@ TEST(Draw, PlainlyHasJointsAndNoWords) {
   EXPECT_LT(text.size(), 4000U);
   const Outcome both = run_tool(command + " --pattern");
   EXPECT_EQ(both.status, 2);
-  EXPECT_NE(both.errors.find(" excludes --"), std::string::npos) << both.errors;
+  EXPECT_NE(both.errors.find("--pattern excludes --plain"), std::string::npos) << both.errors;
 }
 
 // Positions are given by the names of their elements; a quaternion of any length but zero is a rotation.
