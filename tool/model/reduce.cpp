@@ -68,7 +68,6 @@ class Reduction {
 
   DescribedLink& own(std::size_t link) { return link == 0 ? result_.base : result_.links[link - 1]; }
   bool is_host(std::size_t link) const { return hosts_[link].link == link; }
-  bool is_host(const std::string& link) const { return is_host(links_.at(link)); }
   const std::optional<LockedJoint>& lock_of(const std::string& joint) const {
     return locked_.joints[joints_.at(joint)];
   }
@@ -263,7 +262,10 @@ class Reduction {
       if (is_host(i)) links.push_back(std::move(own(i)));
     result_.links = std::move(links);
     std::erase_if(result_.joints, [&](const DescribedJoint& joint) { return lock_of(joint.name).has_value(); });
-    std::erase_if(result_.limbs, [&](const DescribedLimb& limb) { return !is_host(limb.first_link); });
+    std::erase_if(result_.limbs, [&](const DescribedLimb& limb) {
+      const auto first = links_.find(limb.first_link);
+      return first != links_.end() && !is_host(first->second);
+    });
   }
 };
 

@@ -128,7 +128,7 @@ TEST_F(Changes, LumpMassesAndKeepFrames) {
   EXPECT_EQ(grip.rotation[2].number(), Number::pi_multiple(1));
   std::string frames;
   for (const model::Frame& frame : model::default_frames(tree)) frames += frame.name + " ";
-  EXPECT_EQ(frames, "fr_upper fr_palm grip fr_tip_a fr_tip_b fr_tip_c fr_eye ");
+  EXPECT_EQ(frames, "fr_upper grip fr_palm fr_tip_a fr_tip_b fr_tip_c fr_eye ");
   const std::string text = language::kinematics::print(exporting::kinematics_document(tree));
   EXPECT_EQ(joints(text, {}), "shoulder");
 }
