@@ -55,6 +55,12 @@ class LanesOfFunction {
     return std::nullopt;
   }
 
+  // Why there is no such program; empty if no two congruent limbs take part.
+  std::string reason() const {
+    if (!pass::reads_congruent_limbs(function_.program, classes_)) return "";
+    return found_.empty() ? "lanes would not be clearly faster" : "lanes would lose digits";
+  }
+
  private:
   const Function& function_;
   Formulations& formulations_;
@@ -88,8 +94,12 @@ Functions pack_lanes(const Robot& robot, Functions functions, Formulations& form
   if (limbs.empty()) return functions;
   for_each_index(functions.list.size(), [&](std::size_t i) {
     Function& function = functions.list[i];
-    std::optional<pass::Packed> packed = LanesOfFunction(function, limbs, robot.tree, formulations, passes).choose();
-    if (!packed) return;
+    LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
+    std::optional<pass::Packed> packed = lanes.choose();
+    if (!packed) {
+      function.without_lanes = lanes.reason();
+      return;
+    }
     for (std::size_t c = 0; c < limbs.size(); ++c)
       if (packed->in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
     function.in_lanes = std::move(packed->program);

@@ -54,7 +54,7 @@ LimbTrials::LimbTrials(
     const std::vector<bool>& left_out)
     : formulation_(formulation), trace_(trace), limbs_(tree.joints.size()) {
   for (int j = 0; j < static_cast<int>(tree.joints.size()); ++j) {
-    if (left_out[at(j)]) continue;
+    if (!left_out.empty() && left_out[at(j)]) continue;
     LimbView view = limb_view(tree, j, left_out);
     std::shared_ptr<const LinkNumbers> own = numbers_of(tree, view, numbers);
     limbs_[at(j)] = {std::move(view), std::move(own), nullptr, {}};

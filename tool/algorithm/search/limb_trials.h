@@ -45,7 +45,7 @@ class LimbTrials {
       const Formulation& formulation,
       const TraceOf& trace,
       const std::shared_ptr<const LinkNumbers>& numbers,
-      const std::vector<bool>& left_out);
+      const std::vector<bool>& left_out = {});
 
   // The trial of the limb of a joint that is not left out; `frames` are those of all joints of the robot.
   Trial& of(int joint, const LinkFrames& frames);

@@ -55,6 +55,13 @@ bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
 
 }  // namespace
 
+bool reads_congruent_limbs(const Program& program, const std::vector<InputTuples>& classes) {
+  const std::vector<bool> read = inputs_read(program);
+  return std::any_of(classes.begin(), classes.end(), [&](const InputTuples& limbs) {
+    return can_be_lanes(limbs) && reads_two(read, limbs);
+  });
+}
+
 Program packed(const Program& program, const std::vector<InputTuples>& classes) {
   std::vector<InputTuples> with_inputs;
   std::copy_if(classes.begin(), classes.end(), std::back_inserter(with_inputs), can_be_lanes);
