@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "algorithm/search/frame_candidates.h"
 #include "model/limbs.h"
@@ -35,11 +38,31 @@ LinkFrames changed(const KinematicTree& tree, LinkFrames frames, int joint, cons
   return frames;
 }
 
-// By joint: the corresponding joints of congruent limbs, for the joints of the first limb of each class.
-std::vector<std::vector<int>> counterparts(const KinematicTree& tree) {
+// By joint: the corresponding joints of congruent limbs, for the joints of the limb of each class that costs most:
+// numbers that vanish in other limbs only are no gain in lanes.
+std::vector<std::vector<int>> counterparts(
+    const KinematicTree& tree,
+    const Formulation& formulation,
+    const TraceOf& trace,
+    const std::shared_ptr<const LinkNumbers>& numbers,
+    const LinkFrames& frames) {
   std::vector<std::vector<int>> result(tree.joints.size());
-  for (std::vector<int>& joints : model::corresponding_joints(tree))
-    result[at(joints.front())].assign(joints.begin() + 1, joints.end());
+  const std::vector<model::LimbClass> classes = model::limb_classes(tree);
+  if (classes.empty()) return result;
+  LimbTrials trials(tree, formulation, trace, numbers);
+  for (const model::LimbClass& limbs : classes) {
+    const auto work = [&](const std::vector<int>& limb) { return trials.of(limb.front(), frames).cost.work; };
+    const auto first = std::max_element(
+        limbs.limbs.begin(), limbs.limbs.end(),
+        [&](const std::vector<int>& a, const std::vector<int>& b) { return work(a) < work(b); });
+    const std::ptrdiff_t place = first - limbs.limbs.begin();
+    for (std::size_t k = 0; k < limbs.length(); ++k) {
+      std::vector<int> joints = limbs.corresponding(k);
+      const int joint = joints[static_cast<std::size_t>(place)];
+      joints.erase(joints.begin() + place);
+      result[at(joint)] = std::move(joints);
+    }
+  }
   return result;
 }
 
@@ -48,6 +71,10 @@ std::vector<bool> all_of(const std::vector<std::vector<int>>& counterparts) {
   for (const std::vector<int>& joints : counterparts)
     for (const int joint : joints) result[at(joint)] = true;
   return result;
+}
+
+LinkFrames start_of(const KinematicTree& tree, const Formulation& formulation) {
+  return formulation.frames.empty() ? LinkFrames(tree.joints.size()) : formulation.frames;
 }
 
 // Coordinate descent: each limb that is visited replaces the frames so far by cheaper ones. Of congruent limbs that can
@@ -59,14 +86,12 @@ class Descent {
         formulation_(formulation),
         candidates_(tree, formulation),
         shapes_(model::limb_shapes(tree)),
-        counterparts_(counterparts(tree)),
+        counterparts_(counterparts(tree, formulation, trace, candidates_.numbers(), start_of(tree, formulation))),
         is_counterpart_(all_of(counterparts_)),
         trials_(tree, formulation, trace, candidates_.numbers(), is_counterpart_),
         constant_bounds_(tree.joints.size(), 0.0),
         left_(kStatements * formulation.effort),
-        frames_(formulation.frames) {
-    if (frames_.empty()) frames_.resize(tree.joints.size());
-  }
+        frames_(start_of(tree, formulation)) {}
 
   // Returns the initial frames and those after each change.
   std::vector<LinkFrames> run() {
