@@ -160,7 +160,7 @@ TEST(FrameSearch, TheSameNumbersVanishInCongruentLimbs) {
   }
 }
 
-// The second leg takes the steps of the first and is never traced alone.
+// The second leg takes the steps of the first; it is traced once, to find out which leg costs more.
 TEST(FrameSearch, SearchesCongruentLimbsOnce) {
   const model::KinematicTree tree = two_legs(0.125, -0.125);
   std::map<char, int> traces;  // by the first letter of the joints
@@ -169,7 +169,7 @@ TEST(FrameSearch, SearchesCongruentLimbsOnce) {
     trace_joint_space_inertia(trace, formulation);
   });
   EXPECT_GE(traces['L'], 10);
-  EXPECT_EQ(traces['R'], 0);
+  EXPECT_EQ(traces['R'], 1);
 }
 
 }  // namespace
