@@ -12,7 +12,7 @@ namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kRightAngle = std::numbers::pi / 2;
 
 bool is_constant(const PlaneRotation& plane) {
   return !plane.matrix && plane.c.is_constant() && plane.s.is_constant();
@@ -35,7 +35,7 @@ Matrix matrix_of(const QuarterTurns& q) {
 }
 
 std::int64_t quarters_of(double angle) {
-  return static_cast<std::int64_t>(std::round(angle / kQuarter));
+  return static_cast<std::int64_t>(std::round(angle / kRightAngle));
 }
 
 // Moves quarter turns on the right of a rotation to its left.
@@ -77,7 +77,7 @@ AngleParts parts_of_angle(const Expression& angle) {
 
 bool is_multiple_of_quarter(double angle) {
   constexpr double kRounding = 1e-15;
-  return std::abs(angle - static_cast<double>(quarters_of(angle)) * kQuarter) < kRounding;
+  return std::abs(angle - static_cast<double>(quarters_of(angle)) * kRightAngle) < kRounding;
 }
 
 std::optional<std::array<double, 3>> euler_angles(const Rotation& rotation) {
@@ -101,7 +101,7 @@ std::optional<std::array<double, 3>> euler_angles(const Rotation& rotation) {
   const double ca = std::cos(a), sa = std::sin(a);
   const double x = ca * m[0][0] + sa * m[1][0];
   const double y = std::cos(b) * (ca * m[1][0] - sa * m[0][0]) + std::sin(b) * m[2][0];
-  return std::array{a, b, std::remainder(std::atan2(y, x) + with_joint, 4 * kQuarter)};
+  return std::array{a, b, std::remainder(std::atan2(y, x) + with_joint, 4 * kRightAngle)};
 }
 
 Rotation as_euler_rotation(Trace& trace, const EulerRotation& turns, const Rotation& rotation) {

@@ -66,7 +66,7 @@ std::vector<std::vector<int>> counterparts(
   return result;
 }
 
-std::vector<bool> all_of(const std::vector<std::vector<int>>& counterparts) {
+std::vector<bool> are_among(const std::vector<std::vector<int>>& counterparts) {
   std::vector<bool> result(counterparts.size(), false);
   for (const std::vector<int>& joints : counterparts)
     for (const int joint : joints) result[at(joint)] = true;
@@ -87,7 +87,7 @@ class Descent {
         candidates_(tree, formulation),
         shapes_(model::limb_shapes(tree)),
         counterparts_(counterparts(tree, formulation, trace, candidates_.numbers(), start_of(tree, formulation))),
-        is_counterpart_(all_of(counterparts_)),
+        is_counterpart_(are_among(counterparts_)),
         trials_(tree, formulation, trace, candidates_.numbers(), is_counterpart_),
         constant_bounds_(tree.joints.size(), 0.0),
         left_(kStatements * formulation.effort),
