@@ -147,19 +147,19 @@ TEST(LimbsInLanes, OfOneShapeShareThemWhateverTheirNumbers) {
   }
 }
 
-// The modelled time, of which there are at least as many instructions as half cycles.
+// The modelled times of the first overloads, by function.
 std::map<std::string, int> times(const Model& model, int effort) {
   std::map<std::string, int> result;
-  for (const Function& f : with_lanes(model, effort).list) result[f.kernel] = symbolic::predicted_time(printed(f));
+  for (const Function& f : with_lanes(model, effort).list) result.emplace(f.name, predicted_time(printed(f)));
   return result;
 }
 
 void expect_no_loss(const Model& model, const std::vector<int>& efforts) {
   std::map<std::string, int> before = times(model, 0);
   for (const int effort : efforts) {
-    for (const auto& [kernel, time] : times(model, effort)) {
-      EXPECT_LE(time, before.at(kernel)) << model.name() << ", " << kernel << ", effort " << effort;
-      before.at(kernel) = time;
+    for (const auto& [name, time] : times(model, effort)) {
+      EXPECT_LE(time, before.at(name)) << model.name() << ", " << name << ", effort " << effort;
+      before.at(name) = time;
     }
   }
 }
