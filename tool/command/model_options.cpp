@@ -140,7 +140,8 @@ std::optional<Programs> ModelOptions::load_programs(
   for (driver::Function& f : traced.list)
     programs.list.push_back(
         {dotted(f.scope, f.name), f.in_lanes ? std::move(*f.in_lanes) : std::move(f.program), std::move(f.method),
-         f.error});
+         f.error, std::move(f.limbs_in_lanes), std::move(f.without_lanes)});
+  if (model->robot()) programs.unlike_limbs = model::unlike_limbs(model->robot()->tree);
   for (symbolic::Function& f : traced.updates) programs.list.push_back({dotted(f.scope, f.name), std::move(f.program)});
   return programs;
 }

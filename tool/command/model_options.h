@@ -7,6 +7,7 @@
 
 #include "driver/driver.h"
 #include "driver/find_function.h"
+#include "model/unlike_limbs.h"
 #include "support/diagnostics.h"
 
 namespace robcogen::command {
@@ -19,6 +20,8 @@ struct NamedProgram {
   symbolic::Program program;
   std::string method = {};                            // how it is computed, if several methods were considered
   std::optional<symbolic::RoundingError> error = {};  // if it was measured
+  std::vector<std::string> limbs_in_lanes = {};       // a text for each class of limbs that share lanes
+  std::string without_lanes = {};                     // why congruent limbs share none
 };
 
 // All functions of a robot, or of a document of motions or transforms; overloads in the order of their arguments.
@@ -28,6 +31,7 @@ struct Programs {
   std::string about;  // `3 joints, fixed base; …`
   std::vector<NamedProgram> list;
   std::vector<std::filesystem::path> read = {};  // files
+  std::vector<model::UnlikeLimbs> unlike_limbs = {};
 };
 
 // Options that say how a robot is read. Most apply to robots in other formats than the robot document.

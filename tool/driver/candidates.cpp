@@ -30,19 +30,16 @@ const char* name_of(Formulated formulated) {
     case Formulated::reference:
       return "reference";
     case Formulated::for_lanes:
+      return "for_lanes";
+    case Formulated::unsearched_for_lanes:
       break;
   }
-  return "for_lanes";
+  return "unsearched_for_lanes";
 }
 
 Passes without(Passes passes, const std::string& name) {
   std::erase(passes, name);
   return passes;
-}
-
-// Whether its program depends on the formulation, so that results of the plain one are a reference.
-bool has_formulation(const Function& function) {
-  return function.derivative || algorithm::is_formulated(*function.declared);
 }
 
 void choose_candidate(
@@ -67,6 +64,10 @@ void choose_candidate(
 
 }  // namespace
 
+bool has_formulation(const Function& function) {
+  return function.derivative || algorithm::is_formulated(*function.declared);
+}
+
 std::string print(const Recipe& recipe) {
   return fmt::format("{}: {}", name_of(recipe.formulated), fmt::join(recipe.passes, ", "));
 }
@@ -79,6 +80,10 @@ FormulationChoices& Formulations::of(Formulated formulated) {
     change(formulation);
     return std::make_unique<FormulationChoices>(robot_.tree, formulation);
   };
+  const auto for_congruent_limbs = [](FormulationChoices& original) {
+    return std::unique_ptr<FormulationChoices>(
+        new FormulationChoices(FormulationChoices::for_congruent_limbs(original)));
+  };
   switch (formulated) {
     case Formulated::searched:
       break;
@@ -90,10 +95,9 @@ FormulationChoices& Formulations::of(Formulated formulated) {
       return *reference_.get(
           [&] { return with(algorithm::plain_formulation(), [](Formulation& f) { f.is_draft = true; }); });
     case Formulated::for_lanes:
-      return *for_lanes_.get([&] {
-        return std::unique_ptr<FormulationChoices>(
-            new FormulationChoices(FormulationChoices::for_congruent_limbs(searched_)));
-      });
+      return *for_lanes_.get([&] { return for_congruent_limbs(searched_); });
+    case Formulated::unsearched_for_lanes:
+      return *unsearched_for_lanes_.get([&] { return for_congruent_limbs(of(Formulated::unsearched)); });
   }
   return searched_;
 }

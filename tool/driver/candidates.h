@@ -20,6 +20,7 @@ enum class Formulated {
   plainly,     // the textbook algorithm
   reference,   // the same without names, for results to compare with
   for_lanes,   // as searched, but congruent limbs fold in the same way
+  unsearched_for_lanes,
 };
 
 // A candidate before it is traced: the formulation, and the passes that run on the program.
@@ -38,13 +39,19 @@ class Formulations {
   Formulations(const Robot& robot, const algorithm::Formulation& of_steps);
 
   algorithm::FormulationChoices& of(Formulated formulated);
+  // Whether link frames are searched for, so that searched and unsearched formulations may differ.
+  bool are_searched() const { return of_steps_.effort > 0; }
 
  private:
   const Robot& robot_;
   algorithm::Formulation of_steps_;
   algorithm::FormulationChoices searched_;
-  Lazy<std::unique_ptr<algorithm::FormulationChoices>> unsearched_, plainly_, reference_, for_lanes_;
+  Lazy<std::unique_ptr<algorithm::FormulationChoices>> unsearched_, plainly_, reference_, for_lanes_,
+      unsearched_for_lanes_;
 };
+
+// Whether a function's program depends on the formulation.
+bool has_formulation(const Function& function);
 
 // The function as one formulation traces it.
 symbolic::Function traced(const Function& function, algorithm::FormulationChoices& choices);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithm/catalogue/catalogue.h"
@@ -23,6 +24,8 @@ struct Function : symbolic::Function {
   // Of a robot: the first candidate was chosen.
   bool is_first_choice = false;
   bool is_stage = false;  // computes the right-hand sides of another function
+  // Set for languages with vectors: why no limbs share lanes, where two congruent limbs or more take part.
+  std::string without_lanes = {};
 };
 
 struct Functions {

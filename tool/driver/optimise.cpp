@@ -1,14 +1,11 @@
 #include "driver/optimise.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "algorithm/catalogue/model_numbers.h"
-#include "algorithm/formulation/congruent_limbs.h"
 #include "driver/candidates.h"
-#include "pass/lanes/pack_lanes.h"
+#include "driver/limbs_in_lanes.h"
 #include "pass/passes.h"
 #include "pass/split_angles.h"
 #include "pass/split_parameters.h"
@@ -105,46 +102,6 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
     functions.numbers.push_back(function_of(
         "parameters", algorithm::coupling_numbers(robot.tree),
         {"The numbers of couplings, a column for each coupled joint: its factors, then its offset."}));
-  return functions;
-}
-
-// The program in the formulation in which congruent limbs fold in the same way, if it is a different program.
-std::optional<symbolic::Program> congruent_program(
-    const Function& function,
-    Formulations& formulations,
-    const Passes& passes) {
-  if (!function.is_first_choice) return std::nullopt;
-  algorithm::FormulationChoices& choices = formulations.of(Formulated::for_lanes);
-  if (!algorithm::may_fold_like_others(*function.declared, choices)) return std::nullopt;
-  symbolic::Program program = traced(function, choices).program;
-  if (!algorithm::folds_like_others(program)) return std::nullopt;
-  return pass::run(std::move(program), passes);
-}
-
-// Packs congruent limbs into lanes if this makes the function faster and keeps its accuracy.
-void pack_into_lanes(
-    Function& function,
-    const model::KinematicTree& tree,
-    const std::vector<algorithm::LimbsInLanes>& limbs,
-    Formulations& formulations,
-    const Passes& passes) {
-  std::vector<pass::InputTuples> classes;
-  for (const algorithm::LimbsInLanes& c : limbs) classes.push_back(algorithm::limb_inputs(tree, c, function.program));
-  std::optional<symbolic::Program> congruent;
-  if (tree.parameters.empty()) congruent = congruent_program(function, formulations, passes);
-  pass::Packed packed = pass::pack_lanes(function.program, classes, congruent);
-  if (function.results && packed.program.has_lanes() && !function.results->are_kept_by(packed.program)) return;
-  for (std::size_t c = 0; c < classes.size(); ++c)
-    if (packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
-  if (!function.limbs_in_lanes.empty()) function.in_lanes = std::move(packed.program);
-}
-
-Functions pack_lanes(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes) {
-  const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
-  if (limbs.empty()) return functions;
-  for_each_index(functions.list.size(), [&](std::size_t i) {
-    pack_into_lanes(functions.list[i], robot.tree, limbs, formulations, passes);
-  });
   return functions;
 }
 

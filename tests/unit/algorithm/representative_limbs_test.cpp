@@ -1,7 +1,9 @@
 // Congruent limbs that differ in zeros get numbers that fold in the same way and keep their values.
 #include "algorithm/formulation/representative_limbs.h"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "algorithm/dynamics/traced_robot.h"
 #include "random_robots.h"
@@ -139,6 +141,52 @@ TEST(RepresentativeLimbs, APlaneOfOneLimbStandsInAll) {
       return run(test::program(r.trace.graph, r.tree.joints.size(), elements), {{"in", {0.3, 0.8, -0.4, 1.2}}});
     };
     expect_near(value(after[k]), value(before[k]));
+  }
+}
+
+// Two legs; the knees are turned by other angles about other axes.
+KinematicTree legs_with_knees(const std::array<double, 3>& left, const std::array<double, 3>& right) {
+  KinematicTree tree = two_legs(0.1, -0.1);
+  for (const bool is_left : {true, false}) {
+    auto& rotation =
+        tree.joints[static_cast<std::size_t>(*tree.find_joint(is_left ? "L_knee" : "R_knee"))].placement.rotation;
+    for (std::size_t k = 0; k < 3; ++k) rotation[k] = model::Quantity(is_left ? left[k] : right[k]);
+  }
+  return tree;
+}
+
+// Rotations that are written in different ways take one form in both limbs.
+TEST(RepresentativeLimbs, AnyTwoRotationsGetTheSamePlanes) {
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const std::array<std::array<std::array<double, 3>, 2>, 6> knees = {{
+      {{{0.3, 0, 0}, {0, 0.3, 0}}},
+      {{{0, 0, kQuarter}, {2 * kQuarter, 0, -kQuarter}}},
+      {{{kQuarter, 0, 0.2}, {0.1, -0.4, 1.3}}},
+      {{{0, 0, 0}, {0, 0, 0.25}}},
+      {{{0, 1e-7, 0}, {1e-7, 0, 0.5}}},
+      {{{0, 0, 3.1415926}, {-1.5707963, 1.5707963, 0.1}}},
+  }};
+  for (std::size_t i = 0; i < knees.size(); ++i) {
+    Representatives r(legs_with_knees(knees[i][0], knees[i][1]));
+    const Vector3 v{r.q[0], r.q[1], r.q[2]};
+    const auto value = [&](const Rotation& rotation) {
+      const Vector3 vector = to_parent(rotation, v);
+      const std::vector<Expression> elements(vector.element.begin(), vector.element.end());
+      return run(test::program(r.trace.graph, r.tree.joints.size(), elements), {{"in", {0.3, 0.8, -0.4, 1.2}}});
+    };
+    const Rotation &left = r.poses[r.joint("L_knee")].rotation, &right = r.poses[r.joint("R_knee")].rotation;
+    const std::vector<double> of_left = value(left), of_right = value(right);
+    r.fold();
+    expect_near(value(left), of_left);
+    expect_near(value(right), of_right);
+    ASSERT_EQ(left.planes.size(), right.planes.size()) << i;
+    EXPECT_EQ(left.quarter.image, right.quarter.image) << i;
+    for (std::size_t k = 0; k < left.planes.size(); ++k) {
+      EXPECT_EQ(left.planes[k].axis, right.planes[k].axis) << i;
+      EXPECT_EQ(left.planes[k].c.is_constant(), right.planes[k].c.is_constant()) << i;
+      EXPECT_EQ(left.planes[k].c.is_zero(), right.planes[k].c.is_zero()) << i;
+      EXPECT_EQ(left.planes[k].s.is_zero(), right.planes[k].s.is_zero()) << i;
+    }
   }
 }
 

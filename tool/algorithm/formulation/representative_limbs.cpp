@@ -95,7 +95,9 @@ std::vector<Numbers> numbers_of(
 using AlignedPlanes = std::vector<std::vector<int>>;
 
 bool are_corresponding(const PlaneRotation& a, const PlaneRotation& b) {
-  return a.axis == b.axis && a.c.is_constant() == b.c.is_constant();
+  if (a.axis != b.axis || a.c.is_constant() != b.c.is_constant()) return false;
+  if (a.c.is_constant() || a.matrix || b.matrix) return true;
+  return (parts_of_angle(a.angle).constant == 0.0) == (parts_of_angle(b.angle).constant == 0.0);
 }
 
 bool is_constant(const PlaneRotation& plane) {
@@ -116,8 +118,8 @@ Rotation with_small_turn(const Rotation& r) {
   return result;
 }
 
-// Aligns these rotations if each is the longest one without some of its constant planes; otherwise empty.
-AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
+// Aligns these rotations if each is the longest one without some of its constant planes; otherwise nullopt.
+std::optional<AlignedPlanes> aligned(const std::vector<Rotation>& rotations) {
   const auto longest = std::max_element(rotations.begin(), rotations.end(), [](const Rotation& a, const Rotation& b) {
     return a.planes.size() < b.planes.size();
   });
@@ -128,22 +130,23 @@ AlignedPlanes aligned(const std::vector<Rotation>& rotations) {
     std::size_t next = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
       const bool is_there = next < own.size() && are_corresponding(own[next], all[k]);
-      if (!is_there && !is_constant(all[k])) return {};
+      if (!is_there && !is_constant(all[k])) return std::nullopt;
       result[k].push_back(is_there ? static_cast<int>(next++) : -1);
     }
-    if (next < own.size() || rotation.quarter.image != longest->quarter.image) return {};
+    if (next < own.size() || rotation.quarter.image != longest->quarter.image) return std::nullopt;
   }
   return result;
 }
 
-// The representative plane rotations of each limb; empty if all limbs have the same ones.
-std::vector<std::vector<RepresentativePlane>> representative_planes(const std::vector<Rotation>& rotations) {
-  const AlignedPlanes planes = aligned(rotations);
+// The representative plane rotations of each limb; empty if all limbs fold in the same way.
+std::vector<std::vector<RepresentativePlane>> representative_planes(
+    const std::vector<Rotation>& rotations,
+    const AlignedPlanes& planes) {
   const auto is_missing = [](const std::vector<int>& of_limbs) {
     return std::find(of_limbs.begin(), of_limbs.end(), -1) != of_limbs.end();
   };
-  if (std::none_of(planes.begin(), planes.end(), is_missing)) return {};
   std::vector<std::vector<RepresentativePlane>> result(rotations.size());
+  bool differ = false;
   for (const std::vector<int>& of_limbs : planes) {
     Numbers c, s;
     RepresentativePlane common;
@@ -153,9 +156,39 @@ std::vector<std::vector<RepresentativePlane>> representative_planes(const std::v
       s.push_back(plane ? number_of(plane->s) : 0.0);
       if (plane) common = {plane->axis, is_constant(*plane)};
     }
+    differ = differ || is_missing(of_limbs) || fold_differently(c) || fold_differently(s);
     const std::vector<double> typical_c = representative_numbers(c), typical_s = representative_numbers(s);
     for (std::size_t i = 0; i < of_limbs.size(); ++i)
       result[i].push_back({common.axis, common.is_constant, of_limbs[i] < 0, typical_c[i], typical_s[i]});
+  }
+  if (!differ) return {};
+  return result;
+}
+
+// The rotations of the limbs in the form that all rotations have in common; empty if one does not turn about z last.
+std::vector<EulerRotation> euler_rotations(const std::vector<Rotation>& rotations) {
+  std::vector<EulerRotation> result(rotations.size());
+  std::array<Numbers, 3> angles;
+  for (const Rotation& rotation : rotations) {
+    const std::optional<std::array<double, 3>> own = euler_angles(rotation);
+    if (!own) return {};
+    for (std::size_t k = 0; k < own->size(); ++k) angles[k].push_back((*own)[k]);
+  }
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    // Odd and even numbers of quarter turns exchange axes and keep them.
+    const auto is_odd = [](double angle) { return std::abs(std::cos(angle)) < 0.5; };
+    const bool are_quarters = std::all_of(angles[k].begin(), angles[k].end(), [&](const auto& angle) {
+      return is_multiple_of_quarter(*angle) && is_odd(*angle) == is_odd(*angles[k].front());
+    });
+    Numbers c, s;
+    for (const auto& angle : angles[k]) {
+      c.emplace_back(std::cos(*angle));
+      s.emplace_back(std::sin(*angle));
+    }
+    const std::vector<double> angle = representative_numbers(angles[k]), typical_c = representative_numbers(c),
+                              typical_s = representative_numbers(s);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i][k] = {k == 1 ? 0 : 2, are_quarters, *angles[k][i], typical_c[i], typical_s[i], angle[i]};
   }
   return result;
 }
@@ -204,10 +237,17 @@ RepresentativeLinks representative_links(
     std::vector<std::vector<Numbers>> links;
     for (const std::vector<int>& joints : limbs.joints) links.push_back(numbers_of(tree, joints, poses, masses));
     std::vector<std::vector<std::vector<RepresentativePlane>>> planes;  // by joint, then by limb
+    std::vector<std::vector<EulerRotation>> euler;
     for (const std::vector<int>& joints : limbs.joints) {
       std::vector<Rotation> rotations;
       for (const int joint : joints) rotations.push_back(with_small_turn(poses[at(joint)].rotation));
-      planes.push_back(representative_planes(rotations));
+      const std::optional<AlignedPlanes> alignment = aligned(rotations);
+      planes.emplace_back();
+      euler.emplace_back();
+      if (alignment)
+        planes.back() = representative_planes(rotations, *alignment);
+      else
+        euler.back() = euler_rotations(rotations);
     }
     const bool differ =
         std::any_of(
@@ -215,12 +255,14 @@ RepresentativeLinks representative_links(
             [](const std::vector<Numbers>& places) {
               return std::any_of(places.begin(), places.end(), fold_differently);
             }) ||
-        std::any_of(planes.begin(), planes.end(), [](const auto& of_limbs) { return !of_limbs.empty(); });
+        std::any_of(planes.begin(), planes.end(), [](const auto& of_limbs) { return !of_limbs.empty(); }) ||
+        std::any_of(euler.begin(), euler.end(), [](const auto& of_limbs) { return !of_limbs.empty(); });
     if (!differ) continue;
     some_differ = true;
     for (std::size_t k = 0; k < links.size(); ++k) {
       for (std::size_t i = 0; i < planes[k].size(); ++i)
         result[at(limbs.joints[k][i])].planes = std::move(planes[k][i]);
+      for (std::size_t i = 0; i < euler[k].size(); ++i) result[at(limbs.joints[k][i])].euler = euler[k][i];
       for (std::size_t place = 0; place < links[k].size(); ++place) {
         const std::vector<double> typical = representative_numbers(links[k][place]);
         for (std::size_t i = 0; i < typical.size(); ++i) {
@@ -235,7 +277,10 @@ RepresentativeLinks representative_links(
 
 void fold_like(Trace& trace, const RepresentativeLink& representative, Pose& pose) {
   fold_like(trace, representative.pose, elements_of_pose(pose));
-  fold_like(trace, representative.planes, pose.rotation);
+  if (representative.euler)
+    pose.rotation = as_euler_rotation(trace, *representative.euler, pose.rotation);
+  else
+    fold_like(trace, representative.planes, pose.rotation);
 }
 
 void fold_like(Trace& trace, const RepresentativeLink& representative, MassProperties& mass) {

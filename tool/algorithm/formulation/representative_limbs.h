@@ -8,8 +8,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "algorithm/formulation/euler_rotation.h"
 #include "algorithm/spatial/mass_properties.h"
 
 namespace robcogen::algorithm {
@@ -27,7 +29,8 @@ struct RepresentativePlane {
 struct RepresentativeLink {
   std::array<double, 4> pose;               // offset, slide
   std::vector<RepresentativePlane> planes;  // of the rotation; empty: kept as they are
-  std::array<double, 13> mass;              // mass, first moment, pseudo-inertia
+  std::optional<EulerRotation> euler;  // the form that the rotation takes, if planes of the limbs do not correspond
+  std::array<double, 13> mass;         // mass, first moment, pseudo-inertia
 };
 
 // By joint, for its child. Empty if no limb folds differently from others of its class.

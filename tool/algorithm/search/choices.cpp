@@ -5,7 +5,6 @@
 
 #include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/formulation/rotor_spin.h"
-#include "algorithm/search/corresponding_frames.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::algorithm {
@@ -32,7 +31,6 @@ Formulation FormulationChoices::searched(const Formulation& start, const TraceOf
 }
 
 Formulation FormulationChoices::with_representatives(Formulation formulation) const {
-  formulation.frames = corresponding_frames(tree(), formulation);
   formulation.representative = representative_links(tree(), formulation);
   return formulation;
 }

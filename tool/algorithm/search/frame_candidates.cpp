@@ -36,11 +36,14 @@ class CandidateList {
 
   void skip(int rules = 1) { next_ += rules; }
   void add(const Quantity& q) {
-    const bool known = std::any_of(list.begin(), list.end(), [&](const Candidate& other) {
+    const auto known = std::find_if(list.begin(), list.end(), [&](const Candidate& other) {
       const Quantity& o = other.value;
       return q.is_constant() && o.is_constant() && std::abs(q.number().value() - o.number().value()) < kSame;
     });
-    if (!known) list.push_back({next_, q});
+    if (known == list.end())
+      list.push_back({next_, q});
+    else
+      known->other_rules.push_back(next_);
     ++next_;
   }
   // Adds a direction and its normal.
@@ -73,8 +76,9 @@ std::optional<MassNumbers> numbers_of(const MassProperties& m) {
 }  // namespace
 
 const Candidate* find_rule(const std::vector<Candidate>& candidates, int rule) {
-  const auto found =
-      std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.rule == rule; });
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+    return c.rule == rule || std::find(c.other_rules.begin(), c.other_rules.end(), rule) != c.other_rules.end();
+  });
   return found == candidates.end() ? nullptr : &*found;
 }
 

@@ -14,10 +14,11 @@
 
 namespace robcogen::algorithm {
 
-// A value, and the rule that gives it. In congruent limbs, one rule gives corresponding frames.
+// A value, and the rules that give it. In congruent limbs, one rule gives corresponding frames.
 struct Candidate {
-  int rule = 0;
+  int rule = 0;  // the first one
   model::Quantity value;
+  std::vector<int> other_rules = {};
 };
 
 // The candidate of a rule; nullptr if there is none.

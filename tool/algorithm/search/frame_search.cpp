@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "algorithm/search/frame_candidates.h"
 #include "model/limbs.h"
@@ -35,29 +38,47 @@ LinkFrames changed(const KinematicTree& tree, LinkFrames frames, int joint, cons
   return frames;
 }
 
-// The frames after a limb takes the steps of another of the same shape; nullopt if it has no such candidates.
-std::optional<LinkFrames> followed(
+// By joint: the corresponding joints of congruent limbs, for the joints of the limb of each class that costs most:
+// numbers that vanish in other limbs only are no gain in lanes.
+std::vector<std::vector<int>> counterparts(
     const KinematicTree& tree,
-    const FrameCandidates& candidates,
-    LinkFrames frames,
-    const Steps& steps,
-    const std::map<int, int>& counterpart) {
-  for (const Step& step : steps) {
-    const auto own = counterpart.find(step.joint);
-    if (own == counterpart.end()) return std::nullopt;
-    const int joint = own->second;
-    const std::vector<Candidate> turns = candidates.turns(joint, frames);
-    const Candidate* turn = find_rule(turns, step.turn_rule);
-    if (!turn) return std::nullopt;
-    const std::vector<Candidate> slides = candidates.slides(joint, turn->value, frames);
-    const Candidate* slide = find_rule(slides, step.slide_rule);
-    if (!slide) return std::nullopt;
-    frames = changed(tree, std::move(frames), joint, {turn->value, slide->value, step.turns}, step);
+    const Formulation& formulation,
+    const TraceOf& trace,
+    const std::shared_ptr<const LinkNumbers>& numbers,
+    const LinkFrames& frames) {
+  std::vector<std::vector<int>> result(tree.joints.size());
+  const std::vector<model::LimbClass> classes = model::limb_classes(tree);
+  if (classes.empty()) return result;
+  LimbTrials trials(tree, formulation, trace, numbers);
+  for (const model::LimbClass& limbs : classes) {
+    const auto work = [&](const std::vector<int>& limb) { return trials.of(limb.front(), frames).cost.work; };
+    const auto first = std::max_element(
+        limbs.limbs.begin(), limbs.limbs.end(),
+        [&](const std::vector<int>& a, const std::vector<int>& b) { return work(a) < work(b); });
+    const std::ptrdiff_t place = first - limbs.limbs.begin();
+    for (std::size_t k = 0; k < limbs.length(); ++k) {
+      std::vector<int> joints = limbs.corresponding(k);
+      const int joint = joints[static_cast<std::size_t>(place)];
+      joints.erase(joints.begin() + place);
+      result[at(joint)] = std::move(joints);
+    }
   }
-  return frames;
+  return result;
 }
 
-// Coordinate descent: each limb that is visited replaces the frames so far by cheaper ones.
+std::vector<bool> are_among(const std::vector<std::vector<int>>& counterparts) {
+  std::vector<bool> result(counterparts.size(), false);
+  for (const std::vector<int>& joints : counterparts)
+    for (const int joint : joints) result[at(joint)] = true;
+  return result;
+}
+
+LinkFrames start_of(const KinematicTree& tree, const Formulation& formulation) {
+  return formulation.frames.empty() ? LinkFrames(tree.joints.size()) : formulation.frames;
+}
+
+// Coordinate descent: each limb that is visited replaces the frames so far by cheaper ones. Of congruent limbs that can
+// share lanes only the first is visited; the others take each of its steps by the same rules.
 class Descent {
  public:
   Descent(const KinematicTree& tree, const Formulation& formulation, const TraceOf& trace)
@@ -65,12 +86,12 @@ class Descent {
         formulation_(formulation),
         candidates_(tree, formulation),
         shapes_(model::limb_shapes(tree)),
-        trials_(tree, formulation, trace, candidates_.numbers()),
+        counterparts_(counterparts(tree, formulation, trace, candidates_.numbers(), start_of(tree, formulation))),
+        is_counterpart_(are_among(counterparts_)),
+        trials_(tree, formulation, trace, candidates_.numbers(), is_counterpart_),
         constant_bounds_(tree.joints.size(), 0.0),
         left_(kStatements * formulation.effort),
-        frames_(formulation.frames) {
-    if (frames_.empty()) frames_.resize(tree.joints.size());
-  }
+        frames_(start_of(tree, formulation)) {}
 
   // Returns the initial frames and those after each change.
   std::vector<LinkFrames> run() {
@@ -84,7 +105,9 @@ class Descent {
   const KinematicTree& tree_;
   const Formulation& formulation_;
   const FrameCandidates candidates_;
-  const std::vector<int> shapes_;  // of limbs, by joint
+  const std::vector<int> shapes_;                     // of limbs, by joint
+  const std::vector<std::vector<int>> counterparts_;  // by joint
+  const std::vector<bool> is_counterpart_;            // by joint
   LimbTrials trials_;
   std::vector<double> constant_bounds_;  // by joint: the largest constant allowed; zero before its first visit
   long left_;                            // statements that may still be traced
@@ -103,6 +126,25 @@ class Descent {
     history_.push_back(frames_);
   }
 
+  // The frames after a joint takes a step; nullopt if it has no such candidates.
+  std::optional<LinkFrames> stepped(LinkFrames frames, int joint, const Step& step) const {
+    const std::vector<Candidate> turns = candidates_.turns(joint, frames);
+    const Candidate* turn = find_rule(turns, step.turn_rule);
+    if (!turn) return std::nullopt;
+    const std::vector<Candidate> slides = candidates_.slides(joint, turn->value, frames);
+    const Candidate* slide = find_rule(slides, step.slide_rule);
+    if (!slide) return std::nullopt;
+    return changed(tree_, std::move(frames), joint, {turn->value, slide->value, step.turns}, step);
+  }
+
+  // The frames after the counterparts of a joint take its step, too.
+  std::optional<LinkFrames> followed_by_counterparts(LinkFrames frames, int joint, const Step& step) const {
+    std::optional<LinkFrames> result = std::move(frames);
+    for (const int other : counterparts_[at(joint)])
+      if (result) result = stepped(std::move(*result), other, step);
+    return result;
+  }
+
   // Visits all limbs that are attached to a link and returns their steps. A limb of the same shape as an earlier one
   // tries to follow that one.
   Steps visit(int link) {
@@ -114,6 +156,7 @@ class Descent {
     std::vector<Done> done;
     Steps all;
     for (const int joint : tree_.links[at(link)].child_joints) {
+      if (is_counterpart_[at(joint)]) continue;
       const auto twin = std::find_if(
           done.begin(), done.end(), [&](const Done& other) { return shapes_[at(other.joint)] == shapes_[at(joint)]; });
       Steps steps;
@@ -134,8 +177,13 @@ class Descent {
     const std::vector<int> to = model::limb_joints(tree_, shapes_, joint);
     std::map<int, int> counterpart;
     for (std::size_t i = 0; i < from.size(); ++i) counterpart[from[i]] = to[i];
-    std::optional<LinkFrames> frames = followed(tree_, candidates_, frames_, steps, counterpart);
-    if (!frames) return false;
+    std::optional<LinkFrames> frames = frames_;
+    for (const Step& step : steps) {
+      const int own = counterpart.at(step.joint);
+      frames = stepped(std::move(*frames), own, step);
+      if (frames) frames = followed_by_counterparts(std::move(*frames), own, step);
+      if (!frames) return false;
+    }
     Trial& trial = tried(joint, *frames);
     if (trial.cost.work != expected) return false;
     if (steps.empty()) return true;
@@ -159,11 +207,12 @@ class Descent {
     Trial& trial = tried(joint, frames);
     const symbolic::TracedCost& cost = trial.cost;
     if (cost.work >= so_far.best || cost.largest_constant > so_far.largest_constant) return;
-    if (!trials_.keeps_digits(joint, frames, trial)) return;
-    so_far.best = cost.work;
-    take(std::move(frames));
     step.joint = joint;
     step.turns = frame.turns_with_joint;
+    std::optional<LinkFrames> all = followed_by_counterparts(frames, joint, step);
+    if (!all || !trials_.keeps_digits(joint, frames, trial)) return;
+    so_far.best = cost.work;
+    take(std::move(*all));
     so_far.steps.push_back(step);
   }
 

@@ -50,12 +50,14 @@ LimbTrials::LimbTrials(
     const KinematicTree& tree,
     const Formulation& formulation,
     const TraceOf& trace,
-    const std::shared_ptr<const LinkNumbers>& numbers)
-    : formulation_(formulation), trace_(trace) {
+    const std::shared_ptr<const LinkNumbers>& numbers,
+    const std::vector<bool>& left_out)
+    : formulation_(formulation), trace_(trace), limbs_(tree.joints.size()) {
   for (int j = 0; j < static_cast<int>(tree.joints.size()); ++j) {
-    LimbView view = limb_view(tree, j);
+    if (!left_out.empty() && left_out[at(j)]) continue;
+    LimbView view = limb_view(tree, j, left_out);
     std::shared_ptr<const LinkNumbers> own = numbers_of(tree, view, numbers);
-    limbs_.push_back({std::move(view), std::move(own), nullptr, {}});
+    limbs_[at(j)] = {std::move(view), std::move(own), nullptr, {}};
   }
 }
 

@@ -35,17 +35,19 @@ class Trials {
 };
 
 // The trials of all limbs of a robot. The limb of a joint is made of the links that the joint moves and those that
-// carry it.
+// carry it, except limbs that are left out because the program computes them in the lanes of others.
 class LimbTrials {
  public:
   // `formulation`: for everything but the frames. `numbers`: of a robot without parameters, otherwise nullptr.
+  // `left_out`: by joint.
   LimbTrials(
       const model::KinematicTree& tree,
       const Formulation& formulation,
       const TraceOf& trace,
-      const std::shared_ptr<const LinkNumbers>& numbers);
+      const std::shared_ptr<const LinkNumbers>& numbers,
+      const std::vector<bool>& left_out = {});
 
-  // The trial of a joint's limb; `frames` are those of all joints of the robot.
+  // The trial of the limb of a joint that is not left out; `frames` are those of all joints of the robot.
   Trial& of(int joint, const LinkFrames& frames);
   // Whether the limb's trace keeps the digits that it keeps in the frames of the model, with the same mass properties,
   // which may include shares of other limbs. `trial` is the trial of these frames.

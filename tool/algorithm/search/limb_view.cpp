@@ -8,12 +8,13 @@
 
 namespace robcogen::algorithm {
 
-LimbView limb_view(const model::KinematicTree& tree, int joint) {
+LimbView limb_view(const model::KinematicTree& tree, int joint, const std::vector<bool>& left_out) {
   std::vector<bool> kept(tree.joints.size(), false);
   for (int j = joint; j >= 0; j = tree.parent_joint_of(j)) kept[at(j)] = true;
   const std::function<void(int)> keep_beyond = [&](int j) {
     kept[at(j)] = true;
-    for (const int child : tree.links[at(tree.joints[at(j)].child)].child_joints) keep_beyond(child);
+    for (const int child : tree.links[at(tree.joints[at(j)].child)].child_joints)
+      if (left_out.empty() || !left_out[at(child)]) keep_beyond(child);
   };
   keep_beyond(joint);
 

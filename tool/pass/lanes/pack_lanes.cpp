@@ -53,41 +53,14 @@ bool reads_two(const std::vector<bool>& read, const InputTuples& limbs) {
   return lanes >= 2;
 }
 
-// Packs all classes at once; if that does not pay, one class after the other, as long as one of them adds a gain.
-// nullopt if none does.
-std::optional<Packed> pack_classes(const Program& program, const std::vector<InputTuples>& classes) {
-  const std::vector<bool> none(classes.size(), false);
-  Packed best = {{}, none};
-  std::vector<bool> all;
-  const std::vector<bool> read = inputs_read(program);
-  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
-  if (all == none) return std::nullopt;
-  int time = predicted_time(program);
-  const auto attempt = [&](const std::vector<bool>& in_lanes) {
-    std::vector<InputTuples> chosen;
-    for (std::size_t c = 0; c < classes.size(); ++c)
-      if (in_lanes[c]) chosen.push_back(classes[c]);
-    std::optional<Program> candidate = with_lanes(program, chosen);
-    if (!candidate) return false;
-    const int candidate_time = predicted_time(*candidate);
-    if (!is_clearly_faster(candidate_time, time)) return false;
-    time = candidate_time;
-    best = {std::move(*candidate), in_lanes};
-    return true;
-  };
-  if (attempt(all)) return best;
-  std::size_t in_vain = 0;  // classes since the last gain
-  for (std::size_t c = 0; in_vain < classes.size(); c = (c + 1) % classes.size()) {
-    ++in_vain;
-    std::vector<bool> more = best.in_lanes;
-    more[c] = all[c];
-    if (more != best.in_lanes && more != all && attempt(more)) in_vain = 0;
-  }
-  if (best.in_lanes == none) return std::nullopt;
-  return best;
-}
-
 }  // namespace
+
+bool reads_congruent_limbs(const Program& program, const std::vector<InputTuples>& classes) {
+  const std::vector<bool> read = inputs_read(program);
+  return std::any_of(classes.begin(), classes.end(), [&](const InputTuples& limbs) {
+    return can_be_lanes(limbs) && reads_two(read, limbs);
+  });
+}
 
 Program packed(const Program& program, const std::vector<InputTuples>& classes) {
   std::vector<InputTuples> with_inputs;
@@ -113,16 +86,47 @@ Program with_plain_numbers(const Program& program) {
   return result;
 }
 
+// Packs all classes at once; if that does not pay, one class after the other, as long as one of them adds a gain.
+std::optional<Packed> pack_lanes_within(const Program& program, const std::vector<InputTuples>& classes, int time) {
+  const std::vector<bool> none(classes.size(), false);
+  Packed best = {{}, none};
+  std::vector<bool> all;
+  const std::vector<bool> read = inputs_read(program);
+  for (const InputTuples& limbs : classes) all.push_back(can_be_lanes(limbs) && reads_two(read, limbs));
+  if (all == none) return std::nullopt;
+  const auto attempt = [&](const std::vector<bool>& in_lanes) {
+    std::vector<InputTuples> chosen;
+    for (std::size_t c = 0; c < classes.size(); ++c)
+      if (in_lanes[c]) chosen.push_back(classes[c]);
+    std::optional<Program> candidate = with_lanes(program, chosen);
+    if (!candidate) return false;
+    const int candidate_time = predicted_time(*candidate);
+    if (!is_clearly_faster(candidate_time, time)) return false;
+    time = candidate_time;
+    best = {std::move(*candidate), in_lanes};
+    return true;
+  };
+  if (attempt(all)) return best;
+  std::size_t in_vain = 0;  // classes since the last gain
+  for (std::size_t c = 0; in_vain < classes.size(); c = (c + 1) % classes.size()) {
+    ++in_vain;
+    std::vector<bool> more = best.in_lanes;
+    more[c] = all[c];
+    if (more != best.in_lanes && more != all && attempt(more)) in_vain = 0;
+  }
+  if (best.in_lanes == none) return std::nullopt;
+  return best;
+}
+
 Packed pack_lanes(
     const Program& program,
     const std::vector<InputTuples>& classes,
     const std::optional<Program>& congruent) {
-  std::optional<Packed> best = pack_classes(program, classes);
+  const int time = predicted_time(program);
+  std::optional<Packed> best = pack_lanes_within(program, classes, time);
   if (congruent) {
-    std::optional<Packed> other = pack_classes(with_plain_numbers(*congruent), classes);
-    if (other && is_clearly_faster(predicted_time(other->program), predicted_time(program)) &&
-        (!best || predicted_time(other->program) < predicted_time(best->program)))
-      best = std::move(other);
+    std::optional<Packed> other = pack_lanes_within(with_plain_numbers(*congruent), classes, time);
+    if (other && (!best || predicted_time(other->program) < predicted_time(best->program))) best = std::move(other);
   }
   if (best) return std::move(*best);
   return {program, std::vector<bool>(classes.size(), false)};

@@ -1,0 +1,155 @@
+#include "driver/limbs_in_lanes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algorithm/formulation/congruent_limbs.h"
+#include "pass/lanes/pack_lanes.h"
+#include "pass/passes.h"
+#include "support/parallel.h"
+#include "symbolic/cost.h"
+
+namespace robcogen::driver {
+namespace {
+
+using symbolic::Program;
+
+class LanesOfFunction {
+ public:
+  LanesOfFunction(
+      const Function& function,
+      const std::vector<algorithm::LimbsInLanes>& limbs,
+      const model::KinematicTree& tree,
+      Formulations& formulations,
+      const Passes& passes)
+      : function_(function),
+        formulations_(formulations),
+        passes_(passes),
+        has_parameters_(!tree.parameters.empty()),
+        time_(predicted_time(function.program)) {
+    for (const algorithm::LimbsInLanes& c : limbs) classes_.push_back(limb_inputs(tree, c, function.program));
+  }
+
+  // The fastest program with lanes that keeps the digits of the plain formulation; nullopt if there is none that is
+  // clearly faster than the program without lanes. Programs without searched link frames are candidates too, if the
+  // others are to be compared with them or lose digits.
+  std::optional<pass::Packed> choose(bool compares) {
+    add(function_.program);
+    const bool has_others = function_.results && !has_parameters_;
+    if (has_others && function_.is_first_choice) add_congruent(Formulated::for_lanes);
+    const bool is_searched = has_others && has_formulation(function_) && formulations_.are_searched();
+    if (is_searched && compares) add_unsearched();
+    std::optional<pass::Packed> best = fastest();
+    if (best || compares || !is_searched) return best;
+    add_unsearched();
+    return fastest();
+  }
+
+  // Whether the chosen program has no searched link frames.
+  bool prefers_unsearched() const { return prefers_unsearched_; }
+
+  // Why there is no such program; empty if no two congruent limbs take part.
+  std::string reason() const {
+    if (!pass::reads_congruent_limbs(function_.program, classes_)) return "";
+    return found_.empty() ? "lanes would not be clearly faster" : "lanes would lose digits";
+  }
+
+ private:
+  const Function& function_;
+  Formulations& formulations_;
+  const Passes& passes_;
+  const bool has_parameters_;
+  const int time_;
+  std::vector<pass::InputTuples> classes_;
+  struct Found {
+    pass::Packed packed;
+    int time = 0;
+    bool is_searched = true;
+  };
+  std::vector<Found> found_;
+  bool prefers_unsearched_ = false;
+
+  void add(const Program& program, bool is_searched = true) {
+    std::optional<pass::Packed> packed = pass::pack_lanes_within(program, classes_, time_);
+    if (!packed) return;
+    const int time = predicted_time(packed->program);
+    found_.push_back({std::move(*packed), time, is_searched});
+  }
+
+  // Adds the program of a formulation in which congruent limbs fold in the same way, if it is a different program.
+  bool add_congruent(Formulated formulated) {
+    algorithm::FormulationChoices& choices = formulations_.of(formulated);
+    if (!algorithm::may_fold_like_others(*function_.declared, choices)) return false;
+    Program program = traced(function_, choices).program;
+    if (!algorithm::folds_like_others(program)) return false;
+    add(pass::with_plain_numbers(pass::run(std::move(program), passes_)), formulated == Formulated::for_lanes);
+    return true;
+  }
+
+  void add_unsearched() {
+    if (!add_congruent(Formulated::unsearched_for_lanes))
+      add(pass::run(traced(function_, formulations_.of(Formulated::unsearched)).program, passes_), false);
+  }
+
+  std::optional<pass::Packed> fastest() {
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.time < b.time; });
+    for (Found& found : found_) {
+      if (function_.results && !function_.results->are_kept_by(found.packed.program)) continue;
+      prefers_unsearched_ = !found.is_searched;
+      return std::move(found.packed);
+    }
+    return std::nullopt;
+  }
+};
+
+// By function: whether it is the first one with its search for link frames.
+std::vector<bool> are_first_of_search(const std::vector<Function>& functions) {
+  std::vector<bool> result;
+  std::set<algorithm::Search> known;
+  for (const Function& function : functions)
+    result.push_back(!function.is_stage && known.insert(function.declared->is->program.search).second);
+  return result;
+}
+
+}  // namespace
+
+Functions pack_lanes(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes) {
+  const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
+  if (limbs.empty()) return functions;
+  const auto pack = [&](Function& function, bool compares) {
+    LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
+    std::optional<pass::Packed> packed = lanes.choose(compares);
+    if (packed) {
+      for (std::size_t c = 0; c < limbs.size(); ++c)
+        if (packed->in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
+      function.in_lanes = std::move(packed->program);
+    } else {
+      function.without_lanes = lanes.reason();
+    }
+    return lanes.prefers_unsearched();
+  };
+  // What the search for link frames gains in scalar programs may be a loss in lanes. The first function of each search
+  // is compared with the same function without it, and decides whether the others are.
+  const std::vector<bool> is_first = are_first_of_search(functions.list);
+  std::vector<char> lost(functions.list.size(), false);
+  for_each_index(functions.list.size(), [&](std::size_t i) {
+    if (is_first[i]) lost[i] = pack(functions.list[i], true);
+  });
+  std::set<algorithm::Search> searches;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (lost[i]) searches.insert(functions.list[i].declared->is->program.search);
+  for_each_index(functions.list.size(), [&](std::size_t i) {
+    Function& function = functions.list[i];
+    if (is_first[i]) return;
+    pack(function, !function.is_stage && searches.count(function.declared->is->program.search) > 0);
+  });
+  return functions;
+}
+
+}  // namespace robcogen::driver
