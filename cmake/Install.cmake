@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir lib/cmake/robcogen)
 
 install(DIRECTORY runtime/include/ tests/reference/include/ DESTINATION include)
+install(DIRECTORY runtime/compatibility/ DESTINATION share/robcogen/compatibility)
 # Documents are installed file by file: install(DIRECTORY) would also make empty folders where there is no document.
 file(GLOB documents RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} robots/*/*.*dsl robots/*/parts/*.kindsl)
 foreach(document IN LISTS documents)
@@ -21,7 +22,7 @@ install(
 install(FILES runtime/python/make_wheel.py runtime/python/pyproject.toml DESTINATION share/robcogen/python)
 include(cmake/InstallPython.cmake)
 
-install(TARGETS robcogen_runtime robcogen_reference EXPORT robcogenTargets)
+install(TARGETS robcogen_runtime robcogen_iit robcogen_reference EXPORT robcogenTargets)
 install(EXPORT robcogenTargets NAMESPACE robcogen:: DESTINATION ${package_dir})
 # A separate export set: a cross build reads the targets above, but not the executable for another machine.
 if(TARGET robcogen)
@@ -37,6 +38,7 @@ install(
         cmake/Robcogen.cmake
         cmake/RobcogenArguments.cmake
         cmake/RobcogenC.cmake
+        cmake/RobcogenCompatibility.cmake
         cmake/RobcogenInstall.cmake
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenPython.cmake

@@ -293,6 +293,15 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_flag(
       "--double-only", options->is_double_only,
       "cpp: no functions in single precision (no namespace f32), which halves the code to compile");
+  subcommand
+      ->add_option(
+          "--compatibility", options->compatibility,
+          "cpp: robcogen: also the headers of the first RobCoGen, in the namespace of --namespace, by default "
+          "iit::ROBOT; robots only")
+      ->check(one_of({"robcogen"}));
+  subcommand->add_option(
+      "--include-path", options->include_path,
+      "Folder of the headers of --compatibility; default iit/robots/NAME in small letters");
   subcommand->add_flag(
       "--c-selfcheck", options->checks_c,
       "c: also what the self-check of the library needs, in DIR/c/selfcheck; robots only");

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <fstream>
 #include <system_error>
+#include <variant>
 
 #include "algorithm/catalogue/fused.h"
 #include "backend/c/c.h"
 #include "backend/casadi/casadi.h"
 #include "backend/common/names.h"
+#include "backend/compatibility/compatibility.h"
 #include "backend/cpp/cpp.h"
 #include "backend/languages.h"
 #include "backend/selfcheck/selfcheck.h"
@@ -52,19 +54,58 @@ void check_names(const driver::LibraryNames& names) {
   }
 }
 
+// Letters, digits, '_' and '-' in folders below the output folder.
+void check_include_path(const GenerateOptions& options) {
+  const std::string& path = options.include_path;
+  if (path.empty()) return;
+  if (options.compatibility.empty())
+    throw Failure{wrong_usage, "robcogen: error: --include-path needs --compatibility"};
+  const auto is_legal = [](char c) { return is_identifier(std::string(1, c)) || (c >= '0' && c <= '9') || c == '-'; };
+  bool begins = true;  // a folder
+  bool good = true;
+  for (const char c : path) {
+    good = good && (is_legal(c) || (c == '/' && !begins));
+    begins = c == '/';
+  }
+  if (!good || begins)
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: --include-path '{}' is not a folder as #include lines name it, such as "
+                         "iit/robots/hyq",
+                         path)};
+}
+
 bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
 // Without a list, these are the default groups, and the group of contacts if contact frames are given. If functions are
-// given, so is their group.
+// given, so is their group. Headers of the first RobCoGen call functions of further groups.
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
   const ModelOptions& model = options.model;
   std::vector<std::string> groups = options.groups;
   if (groups.empty() && !(model.contacts.empty() && model.functions.empty())) groups = algorithm::default_groups();
   if (options.groups.empty() && !model.contacts.empty()) groups.emplace_back("contacts");
   if (!model.functions.empty()) groups.emplace_back(algorithm::kFusedGroup);
+  if (!groups.empty() && !options.compatibility.empty())
+    groups.insert(groups.end(), backend::compatibility::groups().begin(), backend::compatibility::groups().end());
   return groups;
+}
+
+std::string include_path(const GenerateOptions& options) {
+  return options.include_path.empty() ? backend::compatibility::default_include_path(options.names.name)
+                                      : options.include_path;
+}
+
+// Adds what the headers of the first RobCoGen need. Returns false if the robot is not one that they can describe.
+bool prepare_compatibility(const GenerateOptions& options, driver::Model& model) {
+  driver::Robot& robot = std::get<driver::Robot>(model.content);
+  Diagnostics diagnostics;
+  backend::compatibility::check(robot.tree, diagnostics);
+  report(diagnostics.render(options.model.messages));
+  if (diagnostics.has_errors()) return false;
+  backend::compatibility::add_link_transforms(robot.tree, robot.desired);
+  return true;
 }
 
 // The groups that were named, in canonical order. Throws a Failure if the language does not offer one of them.
@@ -159,6 +200,9 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
       for (OutputFile& file : backend::selfcheck::print(library)) printed.push_back(std::move(file));
     if (language->name == "cpp") {
       files = std::move(printed);
+      if (options.compatibility.empty()) continue;
+      for (OutputFile& file : backend::compatibility::print(library, {options.names.enclosing, include_path(options)}))
+        files.push_back(std::move(file));
       continue;
     }
     const Listed& listed = lists.emplace_back(list_files(options, language->name, printed));
@@ -190,6 +234,9 @@ void require_options_of_transforms(const GenerateOptions& options) {
     throw Failure{wrong_usage, "robcogen: error: --batch applies to robots only, not to motions and transforms"};
   if (!levels_of(options).empty())
     throw Failure{wrong_usage, "robcogen: error: --processors applies to robots only, not to motions and transforms"};
+  if (!options.compatibility.empty())
+    throw Failure{
+        wrong_usage, "robcogen: error: --compatibility applies to robots only, not to motions and transforms"};
   if (options.checks_c)
     throw Failure{wrong_usage, "robcogen: error: --c-selfcheck applies to robots only, not to motions and transforms"};
   for (const backend::Language* language : languages_of(options))
@@ -211,6 +258,7 @@ void require_languages(const GenerateOptions& options) {
       {options.has_batches, "--batch", {"cpp"}},
       {!options.processors.empty(), "--processors", {"cpp"}},
       {options.is_double_only, "--double-only", {"cpp"}},
+      {!options.compatibility.empty(), "--compatibility", {"cpp"}},
       {options.checks_c, "--c-selfcheck", {"c"}},
       {!options.primitives.empty(), "--primitives", {"matlab", "maxima", "javascript"}}};
   const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
@@ -246,6 +294,9 @@ Status list_outputs(const GenerateOptions& options) {
     for (const std::string& file :
          backend::cpp::outputs(folder, groups, !transforms, options.has_batches, levels_of(options)))
       print_output("{}\n", file);
+    if (options.compatibility.empty()) continue;
+    for (const std::string& file : backend::compatibility::outputs(folder, include_path(options)))
+      print_output("{}\n", file);
   }
   return ok;
 }
@@ -259,6 +310,7 @@ Status generate(GenerateOptions options) {
     options.names.name = name_after(file);
   }
   check_names(options.names);
+  check_include_path(options);
   require_languages(options);
   if (options.list_outputs) {
     require_apart_from_output({file});
@@ -267,7 +319,8 @@ Status generate(GenerateOptions options) {
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};
   if (is_transforms(options)) require_options_of_transforms(options);
-  const std::optional<driver::Model> model = options.model.load(options.groups);
+  std::optional<driver::Model> model = options.model.load(options.groups);
+  if (model && !options.compatibility.empty() && !prepare_compatibility(options, *model)) return wrong_input;
   return model ? write_libraries(options, *model) : wrong_input;
 }
 

@@ -17,6 +17,22 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES cpp c)
 # robcogen_add_robot(TARGET hyl): CASADI needs the library in C: LANGUAGES must include c
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl CASADI)
 
+#### compatibility_with_another
+# robcogen_add_robot(TARGET hyl): COMPATIBILITY: 'rbdl' is not one of robcogen
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl COMPATIBILITY rbdl)
+
+#### compatibility_without_cpp
+# robcogen_add_robot(TARGET hyl): COMPATIBILITY is for C++: LANGUAGES must include cpp
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES matlab COMPATIBILITY robcogen)
+
+#### include_path_above
+# robcogen_add_robot(TARGET hyl): INCLUDE_PATH is a folder as #include lines name it, such as iit/robots/hyq, not '../hyl'
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl COMPATIBILITY robcogen INCLUDE_PATH ../hyl)
+
+#### include_path_without_compatibility
+# robcogen_add_robot(TARGET hyl): INCLUDE_PATH needs COMPATIBILITY
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl INCLUDE_PATH iit/robots/hyl)
+
 #### cross_without_tool
 # that runs on this machine. Set ROBCOGEN_HOST_TOOL to the path of one; from the source tree,
 # ROBCOGEN_BUILD_HOST_TOOL=ON builds it.

@@ -56,7 +56,7 @@ std::string wrapped(std::string line, std::size_t limit) {
   return result;
 }
 
-std::string type_of(const Line& line) {
+std::string type_of_line(const Line& line) {
   return line.width > 1 ? type(line.width) : "Scalar";
 }
 
@@ -124,18 +124,18 @@ std::string text(const Line& line) {
       return "// " + expression;
     // A reference is read where it is used, so that it takes no register before.
     case Line::Kind::binding:
-      return concat({"const ", type_of(line), "& ", targets[0], " = ", expression, ";"});
+      return concat({"const ", type_of_line(line), "& ", targets[0], " = ", expression, ";"});
     case Line::Kind::sincos:
       return concat(
           {"const auto [", targets[0], ", ", targets[1], "] = robcogen::", is_small ? "sincos_of_small" : "sincos", "(",
            expression, ");"});
     case Line::Kind::sincos_of:
       return concat(
-          {"const robcogen::SinCosOf<", type_of(line), ", ", number(count), "> ", targets[0], "(&", expression, ");"});
+          {"const robcogen::SinCosOf<", type_of_line(line), ", ", number(count), "> ", targets[0], "(&", expression, ");"});
     case Line::Kind::pick:
       return concat({"const auto [", targets[0], ", ", targets[1], "] = ", expression, ";"});
     case Line::Kind::definition:
-      return wrapped(concat({"const ", type_of(line), " ", targets[0], " = ", expression, ";"}), dialect().line_limit);
+      return wrapped(concat({"const ", type_of_line(line), " ", targets[0], " = ", expression, ";"}), dialect().line_limit);
     case Line::Kind::load_block:
       return concat(
           {"const auto ", targets[0], " = robcogen::load_lanes<", number(width), ", ", number(count), ", ",
