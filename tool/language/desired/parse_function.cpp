@@ -21,6 +21,7 @@ bool accept_separator(Cursor& cursor) {
 
 // Parses `bias_forces`, `jacobians.fr_base_J_fr_foot` or `transforms.homogeneous.fr_base_X_fr_foot`.
 Name read_part(Cursor& cursor) {
+  if (cursor.at("=", 1)) cursor.unexpected("the name of a function", "");  // the next definition begins here
   Name part = read_name(cursor, "the name of a function");
   while (accept_separator(cursor)) {
     const Name next = read_name(cursor, fmt::format("the name of a function after '{}.'", part.text));
