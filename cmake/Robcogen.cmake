@@ -18,7 +18,8 @@
 #                                   # values in the document are the defaults
 #       [ROBOT body]                # MJCF: the robot among several in MODEL, by the name of its first body
 #       [FRICTION_VELOCITY number]  # URDF, with PASSIVE_FORCES: friction is smooth, friction qd / sqrt(qd^2 + number^2)
-#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
+#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it and FRAMES, those of the frames at
+#                                   # which limbs end
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
 #                                   # same NAME when their NAMESPACEs differ
@@ -28,7 +29,8 @@
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
 #       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
-#                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs
+#                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs.
+#                                   # FRAMES * for all
 #       [FUNCTIONS name = function + function…  name = …]
 #                                   # further functions, each with the results of several in one call
 #       [CONTACTS frame[:point|:surface]…]
@@ -42,7 +44,8 @@
 #       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
 #                                   # a program chooses when it starts. The baseline is always included. README.md describes
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
-#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile
+#       [SINGLE_PRECISION]          # all functions also in float, in the namespace hyl::f32: twice as much to compile
+#       [DOUBLE_ONLY]               # the default: nothing in float
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
 #                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled
@@ -111,7 +114,7 @@ endfunction()
 _robcogen_read_groups()
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES)
   set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -382,8 +385,8 @@ function(_robcogen_generate_arguments result)
   if(library_BATCH)
     list(APPEND arguments --batch)
   endif()
-  if(library_DOUBLE_ONLY)
-    list(APPEND arguments --double-only)
+  if(library_SINGLE_PRECISION)
+    list(APPEND arguments --single-precision)
   endif()
   if(library_levels)
     list(APPEND arguments --processors ${library_levels})
@@ -676,8 +679,8 @@ function(_robcogen_link_harness target harness)
   if(library_levels AND library STREQUAL "${library_TARGET}")
     target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_LEVELS)
   endif()
-  if(library_DOUBLE_ONLY)
-    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_IS_DOUBLE_ONLY)
+  if(library_SINGLE_PRECISION OR NOT library STREQUAL "${library_TARGET}")
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_SINGLE_PRECISION)
   endif()
   if(library_BATCH AND library STREQUAL "${library_TARGET}")
     _robcogen_header(${folder} batch batch_header)

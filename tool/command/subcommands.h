@@ -20,7 +20,8 @@ struct GenerateOptions {
   std::string depfile, depfile_target, stamp;
   bool has_batches = false;
   std::vector<std::string> processors;  // levels that kernels of one state are compiled for
-  bool is_double_only = false;
+  bool has_single_precision = false;
+  bool is_double_only = false;  // the default, which may be stated
   bool checks_c = false;  // also what the self-check of the library in C needs
   bool list_outputs = false;
 };
