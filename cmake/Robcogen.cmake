@@ -37,10 +37,11 @@
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
-#                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
-#                                   # baseline of the compiler; a program selects one level when it starts
-#       [BATCH_LEVELS level…]       # levels that BATCH compiles for in addition to the baseline, from avx2 and avx512; without
-#                                   # it, both. `baseline`: only that. A program uses the best level of its machine
+#                                   # three times as long. On x86-64 (gcc, clang) for AVX-512 and for AVX2; a program
+#                                   # selects one level when it starts
+#       [BATCH_LEVELS level…]       # levels that BATCH compiles for, from baseline, avx2 and avx512; without it, avx2 and
+#                                   # avx512. A program uses the best level of its machine, and computes one state after
+#                                   # the other if there is none. Without avx2, the baseline is included
 #       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
 #                                   # a program chooses when it starts. The baseline is always included. README.md describes
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
