@@ -1,6 +1,7 @@
 // The kernels of a generated library for AVX2 with a fixed base, under names that paired.cpp looks up.
 #define ROBCOGEN_WITH_AVX2
-#include <subject/kernels_avx2.cpp>
+#include <subject/kernels_avx2_1.cpp>
+#include <subject/kernels_avx2_2.cpp>
 
 namespace kernel = subject::kernel::avx2;
 

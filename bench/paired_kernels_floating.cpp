@@ -1,7 +1,8 @@
 // The kernels of paired_kernels.cpp for a robot with a floating base, whose coordinates follow those of the joints:
 // twist and spatial acceleration in the arguments, wrench or spatial acceleration in the results.
 #define ROBCOGEN_WITH_AVX2
-#include <subject/kernels_avx2.cpp>
+#include <subject/kernels_avx2_1.cpp>
+#include <subject/kernels_avx2_2.cpp>
 
 #include <subject/model.h>
 

@@ -18,7 +18,8 @@
 #                                   # values in the document are the defaults
 #       [ROBOT body]                # MJCF: the robot among several in MODEL, by the name of its first body
 #       [FRICTION_VELOCITY number]  # URDF, with PASSIVE_FORCES: friction is smooth, friction qd / sqrt(qd^2 + number^2)
-#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it, the default ones
+#       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it and FRAMES, those of the frames at
+#                                   # which limbs end
 #       [NAME ident]                # folder and namespace of the generated code; without it, TARGET as an identifier
 #       [NAMESPACE a::b]            # enclosing namespace, and folder: <a/b/NAME/NAME.h>. Targets may have the
 #                                   # same NAME when their NAMESPACEs differ
@@ -28,21 +29,24 @@
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
 #       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
-#                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs
+#                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs.
+#                                   # FRAMES * for all
 #       [FUNCTIONS name = function + function…  name = …]
 #                                   # further functions, each with the results of several in one call
 #       [CONTACTS frame[:point|:surface]…]
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
-#                                   # ten times as long. On x86-64 (gcc, clang) for AVX-512, for AVX2 and for the
-#                                   # baseline of the compiler; a program selects one level when it starts
-#       [BATCH_LEVELS level…]       # levels that BATCH compiles for in addition to the baseline, from avx2 and avx512; without
-#                                   # it, both. `baseline`: only that. A program uses the best level of its machine
+#                                   # three times as long. On x86-64 (gcc, clang) for AVX-512 and for AVX2; a program
+#                                   # selects one level when it starts
+#       [BATCH_LEVELS level…]       # levels that BATCH compiles for, from baseline, avx2 and avx512; without it, avx2 and
+#                                   # avx512. A program uses the best level of its machine, and computes one state after
+#                                   # the other if there is none. Without avx2, the baseline is included
 #       [PROCESSORS level…]         # levels that the functions of one state are compiled for, from baseline, avx2 and avx512;
 #                                   # a program chooses when it starts. The baseline is always included. README.md describes
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
-#       [DOUBLE_ONLY]               # no namespace hyl::f32, nothing in float: half as much to compile
+#       [SINGLE_PRECISION]          # all functions also in float, in the namespace hyl::f32: twice as much to compile
+#       [DOUBLE_ONLY]               # the default: nothing in float
 #       [LANGUAGES cpp c matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
 #                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled
@@ -116,7 +120,7 @@ endfunction()
 _robcogen_read_groups()
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES
       COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
   set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
@@ -397,8 +401,8 @@ function(_robcogen_generate_arguments result)
   if(library_BATCH)
     list(APPEND arguments --batch)
   endif()
-  if(library_DOUBLE_ONLY)
-    list(APPEND arguments --double-only)
+  if(library_SINGLE_PRECISION)
+    list(APPEND arguments --single-precision)
   endif()
   if(library_COMPATIBILITY)
     list(APPEND arguments --compatibility ${library_COMPATIBILITY} --include-path ${library_INCLUDE_PATH})
@@ -694,8 +698,8 @@ function(_robcogen_link_harness target harness)
   if(library_levels AND library STREQUAL "${library_TARGET}")
     target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_LEVELS)
   endif()
-  if(library_DOUBLE_ONLY)
-    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_IS_DOUBLE_ONLY)
+  if(library_SINGLE_PRECISION OR NOT library STREQUAL "${library_TARGET}")
+    target_compile_definitions(${target} PRIVATE ROBCOGEN_ROBOT_HAS_SINGLE_PRECISION)
   endif()
   if(library_BATCH AND library STREQUAL "${library_TARGET}")
     _robcogen_header(${folder} batch batch_header)

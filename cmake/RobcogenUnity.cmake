@@ -2,7 +2,7 @@
 # headers that they include than for their own text.
 
 # Replaces units for the same processor in `sources` of the calling function by units that include up to eight of them.
-# Units that select kernels (batch.cpp) or compile all of them (kernels_<level>.cpp), and the parameters, stay separate.
+# Units that select kernels (batch.cpp) or compile all of them (kernels_<level>_<part>.cpp), and the parameters, stay separate.
 function(_robcogen_unite_sources folder)
   if(NOT ROBCOGEN_UNITY_ROBOTS)
     return()
@@ -12,7 +12,7 @@ function(_robcogen_unite_sources folder)
   foreach(source IN LISTS sources)
     if(source MATCHES "/batch/[a-z_]+_(baseline|avx2|avx512)\\.cpp$")
       set(kind batch_${CMAKE_MATCH_1})
-    elseif(source MATCHES "/(batch|parameters|kernels_[a-z0-9]+)\\.cpp$")
+    elseif(source MATCHES "/(batch|parameters|kernels_[a-z0-9_]+)\\.cpp$")
       list(APPEND result ${source})
       continue()
     else()

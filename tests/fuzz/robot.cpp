@@ -18,7 +18,7 @@ void check_robot(const std::shared_ptr<const Source>& text) {
   const std::string messages = diagnostics.render();
   require(tree.has_value() != diagnostics.has_errors(), "neither a robot nor an error, or both", messages);
   if (!tree || tree->dof() > kMaxJoints || tree->frames().size() > kMaxFrames) return;
-  const model::DesiredTransforms desired = model::default_desired(*tree);
+  const model::DesiredTransforms desired = model::all_desired(*tree);
   for (const std::string& group : algorithm::groups())
     for (const symbolic::Function& f : algorithm::functions(*tree, desired, group))
       is_sound_through_passes(f.program);

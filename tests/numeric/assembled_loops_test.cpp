@@ -135,7 +135,7 @@ TEST_P(AssembledLoops, AgreeWithTheReference) {
   const KinematicTree tree = tree_of_text(assembled(GetParam()));
   ASSERT_EQ(tree.closures.size(), 1U);
   EXPECT_EQ(tree.closures.front().method, GetParam().method);
-  EXPECT_EQ(check_all(InterpretedRobot(tree, model::default_desired(tree)), 7, 4).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(tree, model::all_desired(tree)), 7, 4).failure_report(), "");
 }
 
 // Positions of the two robots differ by the assembled positions of the joints.
@@ -190,7 +190,7 @@ TEST(AssembledParallelograms, AreCrossedWhereTheirJointsSaySo) {
   EXPECT_TRUE(parallel.closures.empty());
   EXPECT_EQ(parallel.parallelograms.size(), 1U);
   ASSERT_EQ(crossed.closures.size(), 1U);
-  EXPECT_EQ(check_all(InterpretedRobot(crossed, model::default_desired(crossed)), 7, 4).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(crossed, model::all_desired(crossed)), 7, 4).failure_report(), "");
 }
 
 // In a mirrored part, the image of a joint that keeps its sense is assembled at the opposite position.
@@ -212,7 +212,7 @@ TEST(AssembledParts, AreMirrored) {
   };
   EXPECT_EQ(of("L_a"), 1.1);
   EXPECT_EQ(of("R_a"), -1.1);
-  EXPECT_EQ(check_all(InterpretedRobot(*tree, model::default_desired(*tree)), 7, 4).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(*tree, model::all_desired(*tree)), 7, 4).failure_report(), "");
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_P(Branches, CloseInTwoWays) {
 
 TEST_P(Branches, AgreeWithTheReference) {
   const model::KinematicTree tree = tree_of(GetParam()(0, 0, " branch = other"));
-  EXPECT_EQ(check_all(InterpretedRobot(tree, model::default_desired(tree)), 7, 4).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(tree, model::all_desired(tree)), 7, 4).failure_report(), "");
 }
 
 TEST_P(Branches, MoveAsIfDrawnThere) {

@@ -50,7 +50,7 @@ TEST_P(ChainedLoops, CloseByFormulas) {
   EXPECT_EQ(names_of(tree, tree.coordinates()), std::vector<std::string>{GetParam()});
   ASSERT_EQ(tree.closures.size(), 2U);
   for (const model::Closure& closure : tree.closures) EXPECT_EQ(closure.method, Method::planar);
-  EXPECT_EQ(check_all(InterpretedRobot(tree, model::default_desired(tree)), 5, 3).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(tree, model::all_desired(tree)), 5, 3).failure_report(), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,7 +72,7 @@ TEST(LoopsThatWaitForOneAnother, CloseTogether) {
   const KinematicTree tree = tree_of_text(text);
   ASSERT_EQ(tree.closures.size(), 1U);
   EXPECT_EQ(tree.closures.front().method, Method::iterative);
-  EXPECT_EQ(check_all(InterpretedRobot(tree, model::default_desired(tree)), 5, 3).failure_report(), "");
+  EXPECT_EQ(check_all(InterpretedRobot(tree, model::all_desired(tree)), 5, 3).failure_report(), "");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_F(Corpus, RobotsAgreeWithTheReference) {
     const std::optional<model::KinematicTree> robot = robot_of(document);
     if (!robot) continue;
     ++robots;
-    expect_agreement(*robot, model::default_desired(*robot), document);
+    expect_agreement(*robot, model::all_desired(*robot), document);
   }
   EXPECT_GT(robots, 20);
 }

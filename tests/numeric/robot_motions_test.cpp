@@ -215,7 +215,7 @@ class RobotMotions : public testing::Test {
       for (int state = 0; state < kStates; ++state) {
         const std::vector<double> q = positions(robot);
         EXPECT_LE(both.difference_of_poses(q), kTolerance);
-        for (const model::FramePair& pair : model::default_desired(robot).transforms)
+        for (const model::FramePair& pair : model::all_desired(robot).transforms)
           EXPECT_LE(both.difference_of(pair, q), kTolerance) << pair.left.name << "_X_" << pair.right.name;
       }
     });

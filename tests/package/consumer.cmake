@@ -17,7 +17,7 @@ file(REMOVE_RECURSE ${build_dir})
 run(output ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumers/${CONSUMER} -B ${build_dir} ${robcogen}
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DROBOTS_DIR=${SOURCE_DIR}/robots)
 # Kernels for a processor are compiled with its flags, wherever the CMake functions come from.
-file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\".*/kernels_avx2\\.cpp")
+file(STRINGS ${build_dir}/compile_commands.json commands REGEX "\"command\".*/kernels_avx2_1\\.cpp")
 foreach(command IN LISTS commands)
   expect_words("options of the kernels for AVX2" "${command}" "-mavx2 -mfma")
 endforeach()

@@ -17,7 +17,7 @@ function(add_library_of library mass)
     "<robot name='arm'><link name='base'/><link name='lever'><inertial><origin xyz='0.3 0 0'/><mass value='${mass}'/>\
 <inertia ixx='0.01' iyy='0.02' izz='0.02' ixy='0' ixz='0' iyz='0'/></inertial></link>\
 <joint name='hinge' type='continuous'><parent link='base'/><child link='lever'/><axis xyz='0 1 0'/></joint></robot>")
-  run(output ${TOOL} generate ${dir}/arm.urdf -o ${dir} --algorithms inverse_dynamics --language cpp c --double-only ${ARGN})
+  run(output ${TOOL} generate ${dir}/arm.urdf -o ${dir} --algorithms inverse_dynamics --language cpp c ${ARGN})
   string(REGEX MATCH "left" enclosing "${ARGN}")
   set(header arm/arm.h)
   set(space arm)

@@ -3,7 +3,7 @@
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER                               where the library has functions over many states
 //     ROBCOGEN_ROBOT_HAS_LEVELS                           where it has kernels for several processors: each is checked
-//     ROBCOGEN_ROBOT_IS_DOUBLE_ONLY                       where it has nothing in single precision
+//     ROBCOGEN_ROBOT_HAS_SINGLE_PRECISION                 where it has a namespace f32
 //
 //     hyl_selfcheck [--seed N] [--samples N]
 #include ROBCOGEN_ROBOT_HEADER
@@ -102,7 +102,7 @@ Library library() {
       return subject_of(std::make_shared<const CompiledRobot<R>>(tables));
     };
     result.cache = [](const std::vector<double>&) { return std::vector<double>(); };
-#ifndef ROBCOGEN_ROBOT_IS_DOUBLE_ONLY
+#ifdef ROBCOGEN_ROBOT_HAS_SINGLE_PRECISION
     // The type depends on R, so that it is not instantiated for a robot with parameters.
     using Single = std::conditional_t<kIsParametric<R>, void, generated::f32::Robot>;
     result.single = [](const Robot& tables) {

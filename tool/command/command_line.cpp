@@ -290,9 +290,11 @@ Action declare_generate(CLI::App& application) {
           "robots only")
       ->delimiter(',')
       ->check(one_of({"baseline", "avx2", "avx512"}));
-  subcommand->add_flag(
-      "--double-only", options->is_double_only,
-      "cpp: no functions in single precision (no namespace f32), which halves the code to compile");
+  CLI::Option* single = subcommand->add_flag(
+      "--single-precision", options->has_single_precision,
+      "cpp: all functions also in single precision (namespace f32), which doubles the code to compile");
+  subcommand->add_flag("--double-only", options->is_double_only, "cpp: no functions in single precision: the default")
+      ->excludes(single);
   subcommand
       ->add_option(
           "--compatibility", options->compatibility,

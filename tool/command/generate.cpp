@@ -189,10 +189,12 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
   std::vector<Listed> lists;
   std::string hash;
   for (const backend::Language* language : languages_of(options)) {
+    // The library in C has both precisions, and so has its self-check.
+    const bool has_single_precision = options.has_single_precision || language->name == "c";
     const backend::Library library = driver::library(
         model,
         {options.names, groups_of(*language, asked_groups(options)), options.model.steps, primitives_of(options),
-         options.has_batches, levels_of(options), !options.is_double_only},
+         options.has_batches, levels_of(options), has_single_precision},
         language->features);
     hash = library.model_hash;
     std::vector<OutputFile> printed = language->print(library);
@@ -257,6 +259,7 @@ void require_languages(const GenerateOptions& options) {
   const Heeded heeded[] = {
       {options.has_batches, "--batch", {"cpp"}},
       {!options.processors.empty(), "--processors", {"cpp"}},
+      {options.has_single_precision, "--single-precision", {"cpp"}},
       {options.is_double_only, "--double-only", {"cpp"}},
       {!options.compatibility.empty(), "--compatibility", {"cpp"}},
       {options.checks_c, "--c-selfcheck", {"c"}},

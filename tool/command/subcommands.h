@@ -20,10 +20,11 @@ struct GenerateOptions {
   std::string depfile, depfile_target, stamp;
   bool has_batches = false;
   std::vector<std::string> processors;  // levels that kernels of one state are compiled for
-  bool is_double_only = false;
-  std::string compatibility;  // `robcogen`: also the headers of the first RobCoGen; empty: none
-  std::string include_path;   // folder of these headers
-  bool checks_c = false;      // also what the self-check of the library in C needs
+  bool has_single_precision = false;
+  bool is_double_only = false;  // the default, which may be stated
+  std::string compatibility;    // `robcogen`: also the headers of the first RobCoGen; empty: none
+  std::string include_path;     // folder of these headers
+  bool checks_c = false;        // also what the self-check of the library in C needs
   bool list_outputs = false;
 };
 // Without a name, the code is named after the file of the model.

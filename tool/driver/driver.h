@@ -32,7 +32,7 @@ struct LibraryOptions {
   Primitives primitives = std::nullopt;
   bool has_batches = false;
   std::vector<std::string> levels = {};  // processors in addition to the baseline
-  bool has_single_precision = true;
+  bool has_single_precision = false;
 };
 
 backend::Library library(const Model& model, const LibraryOptions& options, const backend::Features& features = {});

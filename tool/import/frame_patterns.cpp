@@ -109,7 +109,7 @@ model::DesiredTransforms desired_by_patterns(
     else
       others.push_back(pattern);
   }
-  names.merge(named_among(model::default_frames(tree), others, fmt::format("robot '{}'", tree.name), diagnostics));
+  names.merge(named_among(model::link_and_user_frames(tree), others, fmt::format("robot '{}'", tree.name), diagnostics));
   std::vector<Frame> frames;
   for (const Frame& frame : tree.frames())
     if (names.contains(frame.name)) frames.push_back(frame);

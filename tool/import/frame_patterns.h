@@ -17,7 +17,7 @@ struct FramePattern {
 };
 
 // The transforms and Jacobians of the frames that these patterns name, in the order of the robot. Names without
-// wildcards may be those of any frame; wildcards select among model::default_frames. A pattern that names no frame is
+// wildcards may be those of any frame; wildcards select among model::link_and_user_frames. A pattern that names no frame is
 // an error.
 model::DesiredTransforms desired_by_patterns(
     const std::vector<FramePattern>& patterns,

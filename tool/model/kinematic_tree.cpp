@@ -253,7 +253,7 @@ bool is_identity(const Placement& placement) {
 
 }  // namespace
 
-std::vector<Frame> default_frames(const KinematicTree& tree) {
+std::vector<Frame> link_and_user_frames(const KinematicTree& tree) {
   std::vector<Frame> frames;
   for (const Frame& frame : tree.frames()) {
     if (frame.kind == Frame::Kind::joint) continue;
@@ -278,15 +278,21 @@ void add_transforms(const KinematicTree& tree, const Frame& frame, DesiredTransf
 
 }  // namespace
 
+std::vector<Frame> end_frames(const KinematicTree& tree) {
+  std::vector<Frame> frames = link_and_user_frames(tree);
+  std::erase_if(frames, [&](const Frame& frame) {
+    const bool is_of_link = frame.kind == Frame::Kind::link || is_named_after_its_link(tree, frame);
+    return is_of_link && tree.links[at(tree.link_of(frame))].child_joints.size() == 1;
+  });
+  return frames;
+}
+
 DesiredTransforms default_desired(const KinematicTree& tree) {
-  DesiredTransforms desired;
-  for (const Frame& frame : default_frames(tree)) {
-    add_transforms(tree, frame, desired);
-    const bool is_link = frame.kind == Frame::Kind::link;
-    const bool is_leaf = is_link && tree.links[at(tree.link_of(frame))].child_joints.empty();
-    if (is_leaf || !is_link) desired.jacobians.push_back({link_frame(tree, 0), frame});
-  }
-  return desired;
+  return desired_of_frames(tree, end_frames(tree));
+}
+
+DesiredTransforms all_desired(const KinematicTree& tree) {
+  return desired_of_frames(tree, link_and_user_frames(tree));
 }
 
 DesiredTransforms desired_of_frames(const KinematicTree& tree, const std::vector<Frame>& frames) {

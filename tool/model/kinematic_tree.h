@@ -298,11 +298,15 @@ struct DesiredTransforms {
 
 // Every link frame and user frame except that of the base. If a link has a user frame of its own name, that frame
 // stands for the link.
-std::vector<Frame> default_frames(const KinematicTree& tree);
+std::vector<Frame> link_and_user_frames(const KinematicTree& tree);
 
-// The default: transforms of these frames to and from the base frame, and Jacobians of every user frame and every leaf
-// link relative to the base.
+// The same without the links in the middle of a limb, which have one child: what remains are the user frames, and the
+// links at which limbs end, the leaves and those with several children.
+std::vector<Frame> end_frames(const KinematicTree& tree);
+
+// The transforms and Jacobians of desired_of_frames, of the end frames (the default) and of all of these frames.
 DesiredTransforms default_desired(const KinematicTree& tree);
+DesiredTransforms all_desired(const KinematicTree& tree);
 
 // For frames that are named one by one: transforms of each to and from the base frame, and its Jacobian relative to the
 // base. The base frame itself has none.

@@ -1,5 +1,6 @@
-// Parts of generated functions over many states that compute one state after the other, because their results are so
-// large that blocks of states would overflow the stacks of threads.
+// Parts of generated functions over many states that compute one state after the other: those whose results are so
+// large that blocks of states would overflow the stacks of threads, and all on machines for which the library has no
+// blocks.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +39,13 @@ class States {
     if (to.element == 1) return;
     Scalar* data = to.data + state_ * to.state;
     for (int k = 0; k < kElements; ++k) data[k * to.element] = buffer[k];
+  }
+  // Copies the lower triangle of a matrix with kRows rows and columns.
+  template <int kRows>
+  void store_lower(const Scalar* buffer, const Strided<Scalar>& to) const noexcept {
+    Scalar* data = to.data + state_ * to.state;
+    for (int column = 0; column < kRows; ++column)
+      for (int k = column * kRows + column; k < (column + 1) * kRows; ++k) data[k * to.element] = buffer[k];
   }
 
  private:

@@ -38,8 +38,7 @@ def build(model, name, desired, options, quiet):
     name = name or name_of(model)
     if desired is None and model.with_suffix(".dtdsl").is_file():
         desired = model.with_suffix(".dtdsl")
-    # Results for arrays in single precision are computed in double: half as much to compile.
-    arguments = ["--name", name, "--language", "cpp", "python", "--double-only"]
+    arguments = ["--name", name, "--language", "cpp", "python"]
     if desired is not None:
         arguments += ["--desired", str(Path(desired).absolute())]
     arguments += options

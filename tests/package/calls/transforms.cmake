@@ -1,8 +1,12 @@
 # Wrong calls; ../calls.cmake says how they are read.
 
-#### transforms_double_only_without_cpp
-# robcogen_add_transforms(TARGET euler): DOUBLE_ONLY is for C++: LANGUAGES must include cpp
-robcogen_add_transforms(TARGET euler MOTIONS euler.motdsl LANGUAGES maxima DOUBLE_ONLY)
+#### transforms_single_precision_without_cpp
+# robcogen_add_transforms(TARGET euler): SINGLE_PRECISION is for C++: LANGUAGES must include cpp
+robcogen_add_transforms(TARGET euler MOTIONS euler.motdsl LANGUAGES maxima SINGLE_PRECISION)
+
+#### transforms_both_precisions
+# robcogen_add_transforms(TARGET euler): SINGLE_PRECISION and DOUBLE_ONLY, the default, exclude each other
+robcogen_add_transforms(TARGET euler MOTIONS euler.motdsl SINGLE_PRECISION DOUBLE_ONLY)
 
 #### transforms_flag_with_value
 # robcogen_add_transforms(TARGET euler): unknown argument '0'; the keywords are TARGET MOTIONS

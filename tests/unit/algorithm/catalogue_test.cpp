@@ -27,7 +27,7 @@ model::KinematicTree robot(bool floating) {
 std::vector<symbolic::Function> all(const model::KinematicTree& tree) {
   std::vector<symbolic::Function> list;
   for (const std::string& group : groups())
-    for (symbolic::Function& f : functions(tree, model::default_desired(tree), group)) list.push_back(std::move(f));
+    for (symbolic::Function& f : functions(tree, model::all_desired(tree), group)) list.push_back(std::move(f));
   return list;
 }
 
@@ -42,7 +42,7 @@ std::string signature(const symbolic::Program& p) {
 
 std::vector<std::string> signatures(const model::KinematicTree& tree, const std::string& group) {
   std::vector<std::string> list;
-  for (const symbolic::Function& f : functions(tree, model::default_desired(tree), group))
+  for (const symbolic::Function& f : functions(tree, model::all_desired(tree), group))
     list.push_back(signature(f.program));
   return list;
 }

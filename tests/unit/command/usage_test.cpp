@@ -70,7 +70,7 @@ TEST(Usage, ListsMayHaveCommas) {
       "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path / "out") +
       " --effort 0 --algorithms energy --processors baseline,avx2 --language cpp,matlab");
   EXPECT_EQ(run.status, 0) << run.errors;
-  EXPECT_TRUE(std::filesystem::exists(scratch.path / "out" / "hyl" / "kernels_avx2.cpp"));
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "out" / "hyl" / "kernels_avx2_1.cpp"));
   EXPECT_TRUE(std::filesystem::exists(scratch.path / "out" / "matlab"));
 }
 
@@ -79,7 +79,8 @@ TEST(Usage, OptionsOfOtherLanguagesAreRefused) {
   const Scratch scratch("other-languages");
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"--batch --language matlab", "--batch is for --language cpp, not for matlab"},
-      {"--double-only --language c maxima", "--double-only is for --language cpp, not for c, maxima"},
+      {"--single-precision --language c maxima", "--single-precision is for --language cpp, not for c, maxima"},
+      {"--double-only --language maxima", "--double-only is for --language cpp, not for maxima"},
       {"--processors baseline avx2 --language c", "--processors is for --language cpp, not for c"},
       {"--primitives left", "--primitives is for --language matlab or maxima or javascript, not for cpp"}};
   for (const auto& [options, message] : cases) {
@@ -189,6 +190,7 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
       "--namespace=::",
       "--batch",
       "--double-only",
+      "--single-precision",
       "--language=matlab",
       "--language=maxima",
       "--language=cpp",

@@ -89,16 +89,26 @@ TEST(KinematicTree, KnowsWhichLinkAFrameMovesWith) {
   EXPECT_EQ(tree.link_of(*tree.find_frame("fr_arm")), *tree.find_link("arm"));
 }
 
-TEST(DefaultDesired, IsLinksAndUserFramesToAndFromTheBase) {
-  const DesiredTransforms desired = default_desired(branched());
-  ASSERT_EQ(desired.transforms.size(), 10u);  // four links and a user frame, both ways
+std::vector<std::string> frames_in(const DesiredTransforms& desired) {
+  std::vector<std::string> names;
+  for (const FramePair& pair : desired.transforms)
+    if (pair.left.name == "fr_base") names.push_back(pair.right.name);
+  return names;
+}
+
+TEST(DefaultDesired, IsEndsOfLimbsAndUserFramesToAndFromTheBase) {
+  const KinematicTree tree = branched();
+  const DesiredTransforms desired = default_desired(tree);
+  // The leg has one child; the trunk has several.
+  EXPECT_EQ(frames_in(desired), (std::vector<std::string>{"fr_foot", "fr_arm", "fr_trunk", "sole"}));
+  EXPECT_EQ(frames_in(all_desired(tree)), (std::vector<std::string>{"fr_foot", "fr_leg", "fr_arm", "fr_trunk", "sole"}));
+  ASSERT_EQ(desired.transforms.size(), 8u);  // both ways
   EXPECT_EQ(desired.transforms[0].left.name, "fr_base");
   EXPECT_EQ(desired.transforms[0].right.name, "fr_foot");
   EXPECT_EQ(desired.transforms[1].left.name, "fr_foot");
-  ASSERT_EQ(desired.jacobians.size(), 3u);  // the leaves foot and arm, then the user frame
+  ASSERT_EQ(desired.jacobians.size(), 4u);
   EXPECT_EQ(desired.jacobians[0].right.name, "fr_foot");
   EXPECT_EQ(desired.jacobians[1].right.name, "fr_arm");
-  EXPECT_EQ(desired.jacobians[2].right.name, "sole");
   for (const FramePair& pair : desired.jacobians) EXPECT_EQ(pair.left.name, "fr_base");
 }
 
@@ -112,15 +122,15 @@ TEST(DefaultDesired, NamesALinkByTheUserFrameOfItsName) {
   };
   own_frame("foot");
   own_frame("base");
-  const DesiredTransforms desired = default_desired(tree);
-  std::vector<std::string> targets;
-  for (const FramePair& pair : desired.transforms)
-    if (pair.left.name == "fr_base") targets.push_back(pair.right.name);
-  EXPECT_EQ(targets, (std::vector<std::string>{"fr_leg", "fr_arm", "fr_trunk", "sole", "foot"}));
+  const DesiredTransforms desired = all_desired(tree);
+  EXPECT_EQ(frames_in(desired), (std::vector<std::string>{"fr_leg", "fr_arm", "fr_trunk", "sole", "foot"}));
 
   // Next to the base's frame it is a frame like any other.
   tree.user_frames.back().placement.translation[0] = Quantity(0.5);
-  EXPECT_EQ(default_desired(tree).transforms.size(), desired.transforms.size() + 2);
+  EXPECT_EQ(all_desired(tree).transforms.size(), desired.transforms.size() + 2);
+  // The frame of a link in the middle of a limb is left out under this name, too.
+  own_frame("leg");
+  EXPECT_EQ(frames_in(default_desired(tree)), (std::vector<std::string>{"fr_arm", "fr_trunk", "sole", "foot", "base"}));
 }
 
 // Frames that are named one by one have all functions, leaf or not.

@@ -1,5 +1,6 @@
 // Dynamics of the whole robot.
 #include "algorithm/catalogue/arrays.h"
+#include "algorithm/catalogue/sizes.h"
 #include "algorithm/dynamics/dynamics.h"
 
 namespace robcogen::algorithm::catalogue {
@@ -126,13 +127,21 @@ Declarations dynamics_declarations() {
          .summary = {"H^-1, symmetric; structural zeros are literal.", kRowsOfFactor},
          .signature = {{L, inverse_diagonal}, {{"inverse", Role::inertia_matrix, velocities, velocities}}},
          .program = {by<inertia_factor_inverse>, Search::inertia},
-         .method = Method::none},
+         .method = Method::none,
+         .in_columns =
+             ColumnForm{
+                 [](const Subject& s) { return operations_of_inverse(s.tree); }, are_better_in_columns,
+                 by<inertia_factor_inverse_in_columns>}},
         {.scope = "inertia_factor",
          .name = "inverse_L",
          .summary = {"L^-1, with the zeros of L.", kRowsOfFactor},
          .signature = {{L, inverse_diagonal}, {matrix("inverse", velocities, velocities)}},
          .program = {by<inertia_factor_inverse_L>, Search::inertia},
-         .method = Method::none}}},
+         .method = Method::none,
+         .in_columns =
+             ColumnForm{
+                 [](const Subject& s) { return operations_of_inverse(s.tree) / 2; }, are_better_in_columns,
+                 by<inertia_factor_inverse_L_in_columns>}}}},
       {"coriolis_matrix",
        {{.name = "coriolis_matrix",
          .summary =

@@ -21,6 +21,10 @@ long operations_of_solutions(const model::KinematicTree& tree) {
   return 4 * pairs_of_coordinates(tree) * (3 * tree.dof() + (tree.floating_base ? 3 : 0));
 }
 
+long operations_of_inverse(const model::KinematicTree& tree) {
+  return 4 * pairs_of_coordinates(tree) * (tree.dof() + (tree.floating_base ? 6 : 0));
+}
+
 long operations_of_base_solutions(const model::KinematicTree& tree) {
   const long joints = tree.dof();
   return tree.floating_base ? (3 * joints + 3) * (12 * joints + 72) : 0;

@@ -14,6 +14,9 @@ long pairs_of_coordinates(const model::KinematicTree& tree);
 // for each such pair and each right-hand side.
 long operations_of_solutions(const model::KinematicTree& tree);
 
+// The same for the inverse of the joint-space inertia matrix: a right-hand side per row.
+long operations_of_inverse(const model::KinematicTree& tree);
+
 // The same for the acceleration of an unactuated base in derivatives of inverse dynamics: a solution of six rows, and
 // six products and sums per joint, for each right-hand side.
 long operations_of_base_solutions(const model::KinematicTree& tree);

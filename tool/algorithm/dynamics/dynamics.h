@@ -118,6 +118,15 @@ symbolic::Program inertia_factor_inverse(
     const model::KinematicTree& tree,
     const symbolic::Program& factor,
     const std::string& name);
+// The same in a loop over columns, without the zeros.
+symbolic::SolvedColumns inertia_factor_inverse_L_in_columns(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
+symbolic::SolvedColumns inertia_factor_inverse_in_columns(
+    const model::KinematicTree& tree,
+    const symbolic::Program& factor,
+    const std::string& name);
 
 // A factorisation of the Coriolis forces that makes dH/dt - 2 C skew symmetric (Niemeyer and Slotine 1991; recursive
 // with composite bodies: Echeandia and Wensing 2021): q, qd [, base_velocity] -> C, of the size of H. C v plus the

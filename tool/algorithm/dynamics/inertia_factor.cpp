@@ -45,23 +45,48 @@ void enter(ProgramTrace& trace, const Coordinate& c, const std::string& what) {
   trace.section(c.link, what + " " + c.name);
 }
 
-// A factor that was computed before, as the first inputs of a program.
+// How a factor is given to a program.
+enum class Given {
+  matrices,  // as the first inputs: L and inverse_diagonal
+  numbers,   // as the input `factor`: those of its numbers that solutions read
+};
+
+// A factor that was computed before.
 struct GivenFactor {
-  // Elements that the factor's own program leaves at zero, whatever q is, are zero here too.
-  GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const Program& factor)
-      : GivenFactor(trace, tree, elimination_tree(tree), factor) {}
-  GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const EliminationTree& elimination, const Program& factor)
+  GivenFactor(ProgramTrace& trace, const KinematicTree& tree, const Program& factor, Given given = Given::matrices)
+      : GivenFactor(trace, tree, elimination_tree(tree), factor, given) {}
+  GivenFactor(
+      ProgramTrace& trace,
+      const KinematicTree& tree,
+      const EliminationTree& elimination,
+      const Program& factor,
+      Given given)
       : coordinates(coordinates_of(tree, elimination)), order(elimination.order), L(size()) {
-    std::vector<std::string> elements, diagonal;
-    for (const Coordinate& column : coordinates)
-      for (const Coordinate& row : coordinates) elements.push_back(row.name + "_" + column.name);
+    // Elements that the factor's own program leaves at zero, whatever q is, are zero here too.
+    const auto is_zero = [&](int i, int j) {
+      const Operand& value = factor.outputs[0].values[at(j * size() + i)];
+      return is_constant(value) && factor.constants[at(value.index)].value() == 0;
+    };
+    const auto label = [&](int i, int j) { return coordinates[at(i)].name + "_" + coordinates[at(j)].name; };
+    for (int i = 0; i < size(); ++i)
+      for (const int j : coordinates[at(i)].ancestors)
+        if (!is_zero(i, j)) places.emplace_back(i, j);
+    std::vector<std::string> labels, diagonal;
     for (const Coordinate& c : coordinates) diagonal.push_back(c.name);
-    const std::vector<Expression> given = trace.input("L", Role::inertia_factor, elements);
-    for (std::size_t k = 0; k < given.size(); ++k) {
-      const Operand& value = factor.outputs[0].values[k];
-      const bool zero = is_constant(value) && factor.constants[at(value.index)].value() == 0;
-      if (!zero) L(static_cast<int>(k) % size(), static_cast<int>(k) / size()) = given[k];
+    if (given == Given::numbers) {
+      for (const auto& [i, j] : places) labels.push_back(label(i, j));
+      labels.insert(labels.end(), diagonal.begin(), diagonal.end());
+      const std::vector<Expression> numbers = trace.input("factor", Role::value, labels);
+      for (std::size_t k = 0; k < places.size(); ++k) L(places[k].first, places[k].second) = numbers[k];
+      inverse_diagonal.assign(numbers.end() - size(), numbers.end());
+      return;
     }
+    for (int j = 0; j < size(); ++j)
+      for (int i = 0; i < size(); ++i) labels.push_back(label(i, j));
+    const std::vector<Expression> elements = trace.input("L", Role::inertia_factor, labels);
+    for (int j = 0; j < size(); ++j)
+      for (int i = 0; i < size(); ++i)
+        if (!is_zero(i, j)) L(i, j) = elements[at(j * size() + i)];
     inverse_diagonal = trace.input("inverse_diagonal", Role::inverse_diagonal, diagonal);
   }
 
@@ -69,9 +94,68 @@ struct GivenFactor {
   std::vector<int> order;
   SquareMatrix L;
   std::vector<Expression> inverse_diagonal;
+  std::vector<std::pair<int, int>> places;  // of the elements of L below its diagonal that are not zero
 
   int size() const { return static_cast<int>(coordinates.size()); }
+  std::vector<Expression> numbers() const {
+    std::vector<Expression> list;
+    for (const auto& [i, j] : places) list.push_back(L(i, j));
+    list.insert(list.end(), inverse_diagonal.begin(), inverse_diagonal.end());
+    return list;
+  }
 };
+
+// Replaces y by L^-T y.
+void solve_transpose(ProgramTrace& trace, const GivenFactor& f, std::vector<Expression>& y) {
+  for (auto i = f.order.rbegin(); i != f.order.rend(); ++i) {
+    const Coordinate& c = f.coordinates[at(*i)];
+    enter(trace, c, "transpose of L: element");
+    described(coordinate("r", c.short_name), y[at(*i)]);
+    y[at(*i)] = described(coordinate("z", c.short_name), y[at(*i)] * f.inverse_diagonal[at(*i)]);
+    for (const int j : c.ancestors) y[at(j)] -= f.L(*i, j) * y[at(*i)];
+  }
+}
+
+// Replaces y by L^-1 y.
+void solve_factor(ProgramTrace& trace, const GivenFactor& f, std::vector<Expression>& y) {
+  for (const int i : f.order) {
+    const Coordinate& c = f.coordinates[at(i)];
+    enter(trace, c, "L: element");
+    for (const int j : c.ancestors) y[at(i)] -= f.L(i, j) * y[at(j)];
+    described(coordinate("Ly", c.short_name), y[at(i)]);
+    y[at(i)] = described(coordinate("y", c.short_name), y[at(i)] * f.inverse_diagonal[at(i)]);
+  }
+}
+
+std::vector<Expression> vector_input(ProgramTrace& trace, const GivenFactor& f, const std::string& name) {
+  std::vector<std::string> elements;
+  for (const Coordinate& c : f.coordinates) elements.push_back(c.name);
+  return trace.input(name, Role::value, elements);
+}
+
+// The inverse of L, or of H, as solutions for the columns of the identity.
+symbolic::SolvedColumns inverse_in_columns(
+    const KinematicTree& tree,
+    const Program& factor,
+    const std::string& name,
+    bool is_of_L) {
+  ProgramTrace right_sides;
+  const GivenFactor given(right_sides, tree, factor);
+  SquareMatrix identity(given.size());
+  for (int i = 0; i < given.size(); ++i) identity(i, i) = right_sides.graph.one();
+  right_sides.output("inverse", Role::matrix, given.size(), given.size(), identity.columns());
+  right_sides.output("factor", Role::value, given.numbers());
+
+  ProgramTrace solution;
+  const GivenFactor f(solution, tree, factor, Given::numbers);
+  std::vector<Expression> x = vector_input(solution, f, "b");
+  if (!is_of_L) solve_transpose(solution, f, x);
+  solve_factor(solution, f, x);
+  solution.output("x", Role::value, x);
+  symbolic::SolvedColumns result{right_sides.program(name + "_right_sides"), solution.program(name + "_column"), {}};
+  result.add_blocks({{"inverse"}});
+  return result;
+}
 
 SquareMatrix inverse_of(ProgramTrace& trace, const GivenFactor& f) {
   SquareMatrix inverse(f.size());
@@ -150,23 +234,9 @@ Program joint_space_inertia_factor(const KinematicTree& tree, const std::string&
 Program inertia_factor_solve(const KinematicTree& tree, const Program& factor, const std::string& name) {
   ProgramTrace trace;
   const GivenFactor f(trace, tree, factor);
-  std::vector<std::string> elements;
-  for (const Coordinate& c : f.coordinates) elements.push_back(c.name);
-  std::vector<Expression> y = trace.input("x", Role::value, elements);
-  for (auto i = f.order.rbegin(); i != f.order.rend(); ++i) {
-    const Coordinate& c = f.coordinates[at(*i)];
-    enter(trace, c, "transpose of L: element");
-    described(coordinate("r", c.short_name), y[at(*i)]);
-    y[at(*i)] = described(coordinate("z", c.short_name), y[at(*i)] * f.inverse_diagonal[at(*i)]);
-    for (const int j : c.ancestors) y[at(j)] -= f.L(*i, j) * y[at(*i)];
-  }
-  for (const int i : f.order) {
-    const Coordinate& c = f.coordinates[at(i)];
-    enter(trace, c, "L: element");
-    for (const int j : c.ancestors) y[at(i)] -= f.L(i, j) * y[at(j)];
-    described(coordinate("Ly", c.short_name), y[at(i)]);
-    y[at(i)] = described(coordinate("y", c.short_name), y[at(i)] * f.inverse_diagonal[at(i)]);
-  }
+  std::vector<Expression> y = vector_input(trace, f, "x");
+  solve_transpose(trace, f, y);
+  solve_factor(trace, f, y);
   trace.output("y", Role::value, y);
   return trace.program(name);
 }
@@ -194,6 +264,20 @@ Program inertia_factor_inverse(const KinematicTree& tree, const Program& factor,
   }
   trace.output("inverse", Role::inertia_matrix, f.size(), f.size(), inverse.columns());
   return trace.program(name);
+}
+
+symbolic::SolvedColumns inertia_factor_inverse_L_in_columns(
+    const KinematicTree& tree,
+    const Program& factor,
+    const std::string& name) {
+  return inverse_in_columns(tree, factor, name, true);
+}
+
+symbolic::SolvedColumns inertia_factor_inverse_in_columns(
+    const KinematicTree& tree,
+    const Program& factor,
+    const std::string& name) {
+  return inverse_in_columns(tree, factor, name, false);
 }
 
 }  // namespace robcogen::algorithm

@@ -53,8 +53,8 @@ std::string source_path(const std::string& folder, const std::string& group) {
   return folder + "/" + group + ".cpp";
 }
 
-std::string level_path(const std::string& folder, const std::string& level) {
-  return folder + "/kernels_" + level + ".cpp";
+std::string level_path(const std::string& folder, const std::string& level, int part) {
+  return folder + "/kernels_" + level + "_" + std::to_string(part) + ".cpp";
 }
 
 std::string batch_path(const std::string& folder, const std::string& group) {
@@ -104,7 +104,8 @@ std::vector<PlannedFile<Api>> files(
   if (has_robot)
     for (const char* group : {kParameters, kTrigonometry}) add_kernels(group);
   for (const std::string& group : groups) add_kernels(group);
-  for (const std::string& level : levels) add(level_path(folder, level), print_level, level);
+  for (const std::string& level : levels)
+    for (int part = 1; part <= kLevelParts; ++part) add(level_path(folder, level, part), print_level, level, part);
   if (!has_batches) return list;
   add(header_path(folder, kBatch), print_batch);
   add(source_path(folder, kBatch), print_batch_choice);

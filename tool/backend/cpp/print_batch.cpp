@@ -38,7 +38,34 @@ std::string constant_of(std::string level) {
   return "kHasA" + level.substr(1);
 }
 
-std::string chooser(const BatchKernel& kernel) {
+// Statements that compute one state after the other by the compiled kernel, which writes to the caller's memory where
+// it can.
+std::string over_single_states(const Api& api, const BatchKernel& kernel, std::size_t indent) {
+  const auto method = [](const std::string& name, int size) {
+    return "states.template " + name + "<" + std::to_string(size) + ">";
+  };
+  const std::string blanks(indent, ' ');
+  std::string buffers, store;
+  std::vector<std::string> arguments;
+  for (const BatchArray& a : batch_arrays(kernel.callable->function->program)) {
+    if (a.is_parameters) {
+      arguments.push_back(a.name);
+      continue;
+    }
+    const bool is_lower = a.is_output && kernel.is_lower;
+    const std::string buffer = a.name + "_buffer", arrays = "(" + a.name + ", " + buffer + ")";
+    buffers += blanks + "Scalar " + buffer + "[" + std::to_string(std::max(a.size, 1)) + "];\n";
+    arguments.push_back(is_lower ? buffer : (a.is_output ? "states.place" : method("load", a.size)) + arrays);
+    if (a.is_output)
+      store +=
+          call(is_lower ? method("store_lower", a.rows) : method("store_buffer", a.size), {buffer, a.name}, indent + 2);
+  }
+  return buffers + blanks + "for (robcogen::batch::States<Scalar> states(n); states.is_left(); states.advance()) {\n" +
+         call("::" + api.space + "::kernel::" + kernel.callable->kernel, arguments, indent + 2) + store + blanks +
+         "}\n";
+}
+
+std::string chooser(const Api& api, const BatchKernel& kernel) {
   const std::vector<std::string> arguments = passed_on(*kernel.callable);
   const auto body = [&](const std::string& level) {
     return "body::" + kernel.name() + "<robcogen::batch::Level::" + level + ", Scalar>";
@@ -56,29 +83,8 @@ std::string chooser(const BatchKernel& kernel) {
     text += fits ? line : condition + "\n" + call("return " + body(level), arguments, 6);
     text += "  }\n";
   }
-  return text + call(body("baseline"), arguments, 2) + "}\n";
-}
-
-// Computes one state after the other by the compiled kernel, which writes to the caller's memory where it can.
-std::string over_single_states(const Api& api, const BatchKernel& kernel) {
-  const auto method = [](const std::string& name, int size) {
-    return "states.template " + name + "<" + std::to_string(size) + ">";
-  };
-  std::string buffers, store;
-  std::vector<std::string> arguments;
-  for (const BatchArray& a : batch_arrays(kernel.callable->function->program)) {
-    const std::string buffer = a.name + "_buffer", arrays = "(" + a.name + ", " + buffer + ")";
-    if (a.is_parameters) {
-      arguments.push_back(a.name);
-      continue;
-    }
-    buffers += "  Scalar " + buffer + "[" + std::to_string(std::max(a.size, 1)) + "];\n";
-    arguments.push_back((a.is_output ? "states.place" : method("load", a.size)) + arrays);
-    if (a.is_output) store += call(method("store_buffer", a.size), {buffer, a.name}, 4);
-  }
-  return chooser_declaration(kernel, " noexcept {", "robcogen::batch::Level") + buffers +
-         "  for (robcogen::batch::States<Scalar> states(n); states.is_left(); states.advance()) {\n" +
-         call("::" + api.space + "::kernel::" + kernel.callable->kernel, arguments, 4) + store + "  }\n}\n";
+  return text + "  if constexpr (kHasBaseline) {\n" + call(body("baseline"), arguments, 4) + "  } else {\n" +
+         over_single_states(api, kernel, 4) + "  }\n}\n";
 }
 
 // The levels that the library is compiled for: BATCH_LEVELS of robcogen_add_robot.
@@ -88,7 +94,10 @@ std::string compiled_levels() {
     text += "#ifdef ROBCOGEN_WITHOUT_" + level + "\n[[maybe_unused]] constexpr bool " + constant_of(level) +
             " = false;\n#else\n[[maybe_unused]] constexpr bool " + constant_of(level) +
             " = robcogen::batch::kHasLevels;\n#endif\n";
-  return text;
+  return text +
+         "// Without bodies for the baseline, its machines compute one state after the other.\n"
+         "#ifdef ROBCOGEN_WITHOUT_BASELINE\n[[maybe_unused]] constexpr bool kHasBaseline = false;\n#else\n"
+         "[[maybe_unused]] constexpr bool kHasBaseline = true;\n#endif\n";
 }
 
 // A function of the interface. Without the gravity argument it takes standard gravity; the storage argument exists for
@@ -217,17 +226,19 @@ std::string print_batch(const Api& api, const std::string& path) {
 }
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
-  std::vector<std::string> bodies, choosers, headers = {"\"robcogen/batch.h\"", "\"robcogen/version.h\""}, own;
+  const std::vector<std::string> headers = {
+      "\"" + kernels_path(folder(*api.library)) + "\"", "\"robcogen/batch.h\"", "\"robcogen/batch_states.h\"",
+      "\"robcogen/version.h\""};
+  std::vector<std::string> bodies, choosers;
   for (const BatchKernel& k : batch_kernels(api)) {
     const bool is_in_blocks = !k.callable->function->form.takes_single_states;
     if (is_in_blocks) bodies.push_back(batch_body_declaration(k, " noexcept;"));
-    if (!is_in_blocks) own = {"\"" + kernels_path(folder(*api.library)) + "\""};
+    const std::string by_state =
+        chooser_declaration(k, " noexcept {", "robcogen::batch::Level") + over_single_states(api, k, 2) + "}\n";
     choosers.push_back(
-        (is_in_blocks ? chooser(k) : over_single_states(api, k)) + "\n" +
+        (is_in_blocks ? chooser(api, k) : by_state) + "\n" +
         batch_instantiations(api, k, "", {"robcogen::batch::Level"}));
   }
-  if (!own.empty()) headers.insert(headers.begin() + 1, "\"robcogen/batch_states.h\"");
-  headers.insert(headers.begin(), own.begin(), own.end());
   return paragraphs(
       {banner(*api.library, path, "selection of the bodies for the processor"), includes(headers), runtime_check(api),
        in_namespace(

@@ -270,6 +270,16 @@ std::string robot_type(const Api& api) {
   return "// The robot as a type, for code that is generic over robots.\nstruct Robot {\n" + paragraphs(parts) + "};\n";
 }
 
+// The options of CMake and of the command line for what a user may miss here.
+std::string options_for_more(const Library& library) {
+  std::string text;
+  const auto& groups = library.groups;
+  if (library.has_robot() && std::any_of(groups.begin(), groups.end(), is_kinematics))
+    text += " Functions of other frames: FRAMES (--frames) or DESIRED (--desired).";
+  if (!library.has_single_precision) text += " In single precision, f32: SINGLE_PRECISION (--single-precision).";
+  return text;
+}
+
 // The conventions that hold for all functions.
 std::string conventions(const Api& api) {
   const Library& library = *api.library;
@@ -282,13 +292,13 @@ std::string conventions(const Api& api) {
   if (model::has_own_positions(library.tree)) text += ".";
   const bool single = library.has_single_precision;
   if (single) text += " " + api.space + "::f32 has the same types and functions in single precision.";
-  if (!library.has_robot()) return comment(text);
+  if (!library.has_robot()) return comment(text + options_for_more(library));
   text += " " + api.space + (single ? "::Robot, and f32::Robot, have" : "::Robot has") +
           " all functions but transforms and Jacobians as members, for code that is generic over robots.";
   if (api.takes_sines())
     text += std::string(" If sines and cosines of the joints are known, pass a ") + kTrigonometryType +
             " in place of positions.";
-  return comment(text);
+  return comment(text + options_for_more(library));
 }
 
 // The lines that include the definitions into the namespace of a precision.

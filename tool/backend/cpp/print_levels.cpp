@@ -1,5 +1,10 @@
-// <name>/<group>.cpp, if the kernels of a group are compiled for several processors, and <name>/kernels_<level>.cpp,
-// which compiles the kernels of all groups for one processor level. A program chooses the level when it starts.
+// <name>/<group>.cpp, if the kernels of a group are compiled for several processors, and
+// <name>/kernels_<level>_<part>.cpp, which compile the kernels of all groups for one processor level. A program chooses
+// the level when it starts.
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "backend/cpp/compiled_kernels.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
@@ -133,6 +138,26 @@ std::string chosen_kernels(const Api& api, const std::string& group) {
       paragraphs({declarations, "namespace {\n\n" + own + "\n}  // namespace\n", forwarders, choice(api, group)}));
 }
 
+// The groups of a part: about as many statements as in the other parts.
+std::vector<std::string> groups_in(const Api& api, int part) {
+  std::vector<std::pair<std::size_t, std::string>> sizes;
+  for (const std::string& group : groups_with_levels(api)) {
+    std::size_t size = 0;
+    for (const CompiledKernel& k : chosen(api, group))
+      if (k.callable) size += k.callable->function->program.statements.size();
+    sizes.emplace_back(size, group);
+  }
+  std::stable_sort(sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::array<std::size_t, kLevelParts> sums = {};
+  std::vector<std::string> result;
+  for (const auto& [size, group] : sizes) {
+    const auto shortest = std::min_element(sums.begin(), sums.end());
+    *shortest += size;
+    if (shortest - sums.begin() == part - 1) result.push_back(group);
+  }
+  return result;
+}
+
 }  // namespace
 
 bool chooses_level(const Api& api, const std::string& group) {
@@ -160,9 +185,9 @@ std::string print_choice(const Api& api, const std::string& group, const std::st
        instantiations(api, group)});
 }
 
-std::string print_level(const Api& api, const std::string& level, const std::string& path) {
+std::string print_level(const Api& api, const std::string& level, int part, const std::string& path) {
   const std::string guard = "#if ROBCOGEN_HAS_LEVELS && defined(ROBCOGEN_WITH_" + upper_case(level) + ")\n";
-  const std::vector<std::string> groups = groups_with_levels(api);
+  const std::vector<std::string> groups = groups_in(api, part);
   std::string instantiated;
   std::vector<CompiledKernel> kernels;
   for (const std::string& group : groups)

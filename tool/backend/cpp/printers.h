@@ -31,8 +31,9 @@ inline constexpr const char* kLevels[] = {"baseline", "avx2", "avx512"};
 // The file stem of functions over many states, which are compiled for all levels. Each group has a file of bodies, and
 // one file of their instantiations per level.
 inline constexpr const char* kBatch = "batch";
-// The file of the kernels for one processor level.
-std::string level_path(const std::string& folder, const std::string& level);
+// The files of the kernels for one processor level: several, which are compiled at once.
+inline constexpr int kLevelParts = 2;
+std::string level_path(const std::string& folder, const std::string& level, int part);
 std::string batch_path(const std::string& folder, const std::string& group);
 std::string batch_source_path(const std::string& folder, const std::string& group, const std::string& level);
 
@@ -58,7 +59,7 @@ std::string instantiations(const Api& api, const std::string& group);
 bool chooses_level(const Api& api, const std::string& group);
 std::string print_choice(const Api& api, const std::string& group, const std::string& path);
 std::vector<std::string> groups_with_levels(const Api& api);
-std::string print_level(const Api& api, const std::string& level, const std::string& path);
+std::string print_level(const Api& api, const std::string& level, int part, const std::string& path);
 // The function that selects another level, for <name>/reflection.h.
 std::string use_level(const Api& api);
 std::string print_reflection(const Api& api, const std::string& path);

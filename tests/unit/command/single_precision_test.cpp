@@ -1,4 +1,4 @@
-// The option --double-only: libraries without single precision.
+// The option --single-precision: without it, libraries have nothing in single precision.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -36,30 +36,39 @@ std::string generate(const std::string& model, const fs::path& folder, const std
   return run_tool("generate --list-outputs --name it" + options, "").output;
 }
 
-TEST(DoubleOnly, RobotsHaveNothingInSinglePrecision) {
+TEST(SinglePrecision, IsAbsentFromRobots) {
   const std::string options = " --batch --processors baseline avx2 avx512 --algorithms all";
   for (const std::string name : {"hyl", "hyl_parametric", "quadruped"}) {
-    const Scratch scratch("double-only-" + name);
-    const std::string files = generate(quoted(robot(name)), scratch.path / "double", options + " --double-only");
+    const Scratch scratch("single-precision-" + name);
+    const std::string files = generate(quoted(robot(name)), scratch.path / "double", options);
     EXPECT_EQ(single_precision(scratch.path / "double"), Lines()) << name;
-    EXPECT_EQ(generate(quoted(robot(name)), scratch.path / "both", options), files);
+    EXPECT_EQ(generate(quoted(robot(name)), scratch.path / "both", options + " --single-precision"), files);
     EXPECT_GT(single_precision(scratch.path / "both").size(), 40u) << name;
   }
 }
 
-TEST(DoubleOnly, TransformsHaveNothingInSinglePrecision) {
-  const Scratch scratch("double-only-transforms");
+TEST(SinglePrecision, IsAbsentFromTransforms) {
+  const Scratch scratch("single-precision-transforms");
   const std::string model = quoted(fs::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl");
-  generate(model, scratch.path / "double", " --double-only");
+  generate(model, scratch.path / "double", "");
   EXPECT_EQ(single_precision(scratch.path / "double"), Lines());
-  generate(model, scratch.path / "both", "");
+  generate(model, scratch.path / "both", " --single-precision");
   EXPECT_FALSE(single_precision(scratch.path / "both").empty());
 }
 
-TEST(DoubleOnly, KernelsAreTheSame) {
-  const Scratch scratch("double-only-kernels");
-  generate(quoted(robot("hyl")), scratch.path / "double", " --double-only");
-  generate(quoted(robot("hyl")), scratch.path / "both", "");
+// The header says which option adds what a user may miss.
+TEST(SinglePrecision, IsOfferedInTheHeader) {
+  const Scratch scratch("single-precision-hint");
+  generate(quoted(robot("hyl")), scratch.path / "double", "");
+  const std::string header = read_text(scratch.path / "double" / "it" / "it.h");
+  EXPECT_NE(header.find("SINGLE_PRECISION"), std::string::npos) << header.substr(0, 1000);
+  EXPECT_NE(header.find("FRAMES"), std::string::npos) << header.substr(0, 1000);
+}
+
+TEST(SinglePrecision, LeavesKernelsAsTheyAre) {
+  const Scratch scratch("single-precision-kernels");
+  generate(quoted(robot("hyl")), scratch.path / "double", "");
+  generate(quoted(robot("hyl")), scratch.path / "both", " --single-precision");
   for (const char* group : {"inverse_dynamics", "forward_dynamics", "transforms"}) {
     const fs::path path = fs::path("it") / "kernel" / (std::string(group) + ".h");
     EXPECT_EQ(read_text(scratch.path / "double" / path), read_text(scratch.path / "both" / path));
@@ -67,11 +76,11 @@ TEST(DoubleOnly, KernelsAreTheSame) {
   }
 }
 
-TEST(DoubleOnly, ModulesOfPythonComputeInDouble) {
-  const Scratch scratch("double-only-python");
+TEST(SinglePrecision, IsAbsentFromModulesOfPython) {
+  const Scratch scratch("single-precision-python");
   const Outcome run = run_tool(
       "generate " + quoted(robot("hyl_parametric")) + " -o " + quoted(scratch.path) +
-      " --language cpp python --double-only --name it");
+      " --language cpp python --name it");
   EXPECT_EQ(run.status, 0) << run.errors;
   const std::string text = read_text(scratch.path / "python" / "it.cpp");
   EXPECT_NE(text.find("&one_inverse_dynamics<double>, nullptr"), std::string::npos);
