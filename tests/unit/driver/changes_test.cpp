@@ -127,7 +127,7 @@ TEST_F(Changes, LumpMassesAndKeepFrames) {
   EXPECT_TRUE(grip.translation[0].is_zero() && grip.translation[1].is_zero());
   EXPECT_EQ(grip.rotation[2].number(), Number::pi_multiple(1));
   std::string frames;
-  for (const model::Frame& frame : model::default_frames(tree)) frames += frame.name + " ";
+  for (const model::Frame& frame : model::link_and_user_frames(tree)) frames += frame.name + " ";
   EXPECT_EQ(frames, "fr_upper grip fr_palm fr_tip_a fr_tip_b fr_tip_c fr_eye ");
   const std::string text = language::kinematics::print(exporting::kinematics_document(tree));
   EXPECT_EQ(joints(text, {}), "shoulder");
@@ -341,7 +341,7 @@ TEST_F(Changes, OfRobotsInUrdf) {
       model::evaluate(model::in_link_frame(*tree.links[1].inertia).izz),
       kM1 * kL1 * kL1 + kM2 * (kL1 * kL1 + kL2 * kL2 + 2 * kL1 * kL2 * cosine), 1e-12);
   std::string frames;
-  for (const model::Frame& frame : model::default_frames(tree)) frames += frame.name + " ";
+  for (const model::Frame& frame : model::link_and_user_frames(tree)) frames += frame.name + " ";
   EXPECT_EQ(frames, "upper lower ");
 }
 

@@ -34,7 +34,7 @@ symbolic::Program transform(const Tracing& t) {
 std::vector<std::string> poses_of_frames(const Subject& s) {
   const std::string base = s.tree.frames().front().name;
   std::vector<std::string> functions;
-  for (const model::Frame& frame : model::default_frames(s.tree))
+  for (const model::Frame& frame : model::link_and_user_frames(s.tree))
     functions.push_back(
         is_floating(s) ? "world.X_" + frame.name : "transforms.homogeneous." + base + "_X_" + frame.name);
   return functions;
@@ -51,7 +51,7 @@ bool is_seen_from_fixed_base(const Subject& s) {
 
 std::optional<symbolic::Program> poses_in_world(const Tracing& t) {
   if (is_fixed(t)) return std::nullopt;
-  return world_transforms(t.tree, model::default_frames(t.tree), t.name);
+  return world_transforms(t.tree, model::link_and_user_frames(t.tree), t.name);
 }
 
 Array jacobian(Role role) {
@@ -93,7 +93,7 @@ Declarations kinematics_declarations() {
          .program = {by<geometric_jacobian>}}}},
       {"all_frames",
        {{.name = "all_frames",
-         .exists = [](const Subject& s) { return model::default_frames(s.tree).size() > 1; },
+         .exists = [](const Subject& s) { return model::link_and_user_frames(s.tree).size() > 1; },
          .summary = {"Poses of all frames, 4 x 4: {floating?world_X_frame, for a base with a pose.}"
                      "{fixed?base_X_frame, which map coordinates in a frame to coordinates in that of the base.}"},
          .parts = poses_of_frames,
