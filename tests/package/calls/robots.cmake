@@ -169,7 +169,7 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)
 robcogen_add_robot(TARGET double MODEL hyl.kindsl)
 
 #### unknown_algorithm
-# robcogen_add_robot(TARGET hyl): ALGORITHMS: 'inverse_dynamic' is not one of inverse_dynamics bias_forces passive_forces forward_dynamics joint_space_inertia joint_space_inertia_factor coriolis_matrix inverse_dynamics_derivatives inverse_dynamics_gradient inverse_dynamics_second_derivatives forward_dynamics_derivatives centroidal energy centroidal_bias contacts constrained_forward_dynamics_derivatives operational_space regressor base_regressor energy_regressor slotine_li_regressor transforms jacobians jacobian_references jacobians_with_base jacobian_derivatives velocities accelerations world world_centroidal all
+# robcogen_add_robot(TARGET hyl): ALGORITHMS: 'inverse_dynamic' is not one of inverse_dynamics bias_forces passive_forces forward_dynamics joint_space_inertia joint_space_inertia_factor coriolis_matrix inverse_dynamics_derivatives inverse_dynamics_gradient inverse_dynamics_second_derivatives forward_dynamics_derivatives centroidal energy centroidal_bias contacts constrained_forward_dynamics_derivatives operational_space regressor base_regressor energy_regressor slotine_li_regressor transforms jacobians jacobian_references jacobians_with_base jacobian_derivatives all_frames velocities accelerations world world_centroidal fused all
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ALGORITHMS jacobians inverse_dynamic)
 
 #### unknown_keyword
@@ -191,6 +191,10 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl FLOATING_BASE)
 #### wrong_derivative
 # robcogen_add_robot(TARGET hyl): DERIVATIVES: 'inverse_dynamics' is not function:input or function:input,input, such as inverse_dynamics:q,qd
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DERIVATIVES jacobians.base_J_foot:q inverse_dynamics)
+
+#### wrong_function
+# robcogen_add_robot(TARGET hyl): FUNCTIONS: 'bias_forces + gravity_forces' is not name = function + function, such as control = joint_space_inertia + bias_forces
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl FUNCTIONS bias_forces + gravity_forces)
 
 #### xacro_args_of_urdf
 # robcogen_add_robot(TARGET hyl): XACRO_ARGS is for a MODEL that xacro expands, with the extension .urdf.xacro or .xacro: @DIR@/hyl.urdf
