@@ -1,0 +1,14 @@
+// What inverse kinematics is asked for.
+#pragma once
+
+namespace robcogen::model {
+
+struct InverseTask {
+  // The pose of the right frame; only the position of its origin; that and the direction of its z axis.
+  enum class Kind { pose, point, axis };
+  Kind kind = Kind::pose;
+  int given = -1;  // a joint of the chain whose position is an argument
+  friend bool operator==(const InverseTask&, const InverseTask&) = default;
+};
+
+}  // namespace robcogen::model
