@@ -32,6 +32,7 @@ struct CheckOptions {
   std::vector<std::filesystem::path> import_folders;
   FormatOptions format;
   bool strict = false;
+  bool lists_kinematics = false;  // prints how chains are inverted
   Rendering messages;
 };
 Status check(const CheckOptions& options);

@@ -1,8 +1,10 @@
 #include "algorithm/kinematics/inverse_kinematics.h"
 
+#include <optional>
 #include <utility>
 
-#include "algorithm/kinematics/inverse/plan.h"
+#include "algorithm/kinematics/inverse/swivel.h"
+#include "algorithm/kinematics/inverse/words.h"
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -15,15 +17,25 @@ using model::InverseTask;
 using symbolic::Program;
 using symbolic::Role;
 
+// The joints to which signs belong.
+std::vector<std::string> sign_names(const inversion::Search& found) {
+  if (found.swivel) return found.swivel->sign_names();
+  std::vector<std::string> names;
+  for (const inversion::Step& step : found.plan->steps)
+    if (step.has_two_roots(found.chain)) names.push_back(found.chain.axis(step.joint).name);
+  return names;
+}
+
 // A solver in the trace of a function, with its inputs.
 class Inversion {
  public:
   Inversion(const model::KinematicTree& tree, const model::FramePair& frames, const InverseTask& task)
-      : trace(tree), plan(*inversion::search(tree, frames, task).plan), chain(plan.chain) {}
+      : trace(tree), found(inversion::search(tree, frames, task)), chain(found.chain) {}
 
   Trace trace;
-  const Plan& plan;
+  const inversion::Search& found;
   const inversion::SerialChain& chain;
+  Expression swivel;
   std::vector<Expression> reference;  // by joint of the robot
   inversion::Target target;
   inversion::JointValues given;
@@ -44,8 +56,12 @@ class Inversion {
     }
   }
 
+  void swivel_input() {
+    if (chain.task.by_swivel) swivel = trace.input("swivel", Role::value, {"swivel"}).front();
+  }
+
   void reference_input() {
-    reference = trace.joint_input("reference", Role::joint_position);
+    reference = trace.joint_input("reference", Role::joint_reference);
     given.resize(chain.axes.size());
     if (chain.given >= 0) given[at(chain.given)] = value_of(chain.given, reference);
   }
@@ -57,32 +73,49 @@ class Inversion {
     return {sin(position), cos(position)};
   }
 
-  inversion::StepSolver solver() {
-    std::vector<Expression> of_chain;
-    for (int k = 0; k < chain.joints; ++k) of_chain.push_back(reference[at(chain.axis(k).joint)]);
-    return {trace.graph, chain, target, std::move(of_chain), plan.lengths_agree};
-  }
-
   std::vector<Branch> branches(const std::vector<Expression>* signs) {
+    if (found.swivel)
+      return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
     inversion::StepSolver s = solver();
-    std::vector<Branch> list = inversion::branches(trace.graph, s, chain, plan.steps, given, signs);
+    std::vector<Branch> list = inversion::branches(trace.graph, s, chain, found.plan->steps, given, signs);
     for (Branch& branch : list) branch.misfit += remaining_misfit(branch);
     return list;
   }
 
   Expression determinant(const Branch& branch) {
-    return plan.determinant_per_root == 0.0 ? branch.product
-                                            : trace.graph.constant(plan.determinant_per_root) * branch.product;
+    const double factor = found.plan ? found.plan->determinant_per_root : 0.0;
+    return factor == 0.0 ? branch.product : trace.graph.constant(factor) * branch.product;
+  }
+
+  // The roots at known positions.
+  std::vector<Expression> roots(const inversion::JointValues& values) {
+    if (found.swivel) return inversion::swivel_roots(trace.graph, *found.swivel, references(), values);
+    std::vector<Expression> result;
+    const inversion::StepSolver s = solver();
+    for (const inversion::Step& step : found.plan->steps) {
+      if (!step.has_two_roots(chain)) continue;
+      trace.section(chain.axis(step.joint).name, "joint " + describe(chain, step));
+      result.push_back(s.root(step, values));
+    }
+    return result;
   }
 
  private:
+  std::vector<Expression> references() {
+    std::vector<Expression> of_chain;
+    for (int k = 0; k < chain.joints; ++k) of_chain.push_back(reference[at(chain.axis(k).joint)]);
+    return of_chain;
+  }
+
+  inversion::StepSolver solver() { return {trace.graph, chain, target, references(), found.plan->lengths_agree}; }
+
   // A chain with fewer joints than the task has coordinates misses some targets though every equation has a solution:
   // the difference of the poses tells which.
   Expression remaining_misfit(const Branch& branch) {
     const int coordinates = chain.task.kind == InverseTask::Kind::pose    ? 6
                             : chain.task.kind == InverseTask::Kind::point ? 3
                                                                           : 5;
-    if (chain.joints >= coordinates) return {};
+    if (chain.joints - (chain.given >= 0 ? 1 : 0) >= coordinates) return {};
     trace.graph.begin_section("pose of the branch", "end");
     const auto constant = [&](const inversion::Numbers3& v) {
       return Vector3{trace.graph.constant(v[0]), trace.graph.constant(v[1]), trace.graph.constant(v[2])};
@@ -109,9 +142,12 @@ InverseKinematicsSize inverse_kinematics_size(
     const model::FramePair& frames,
     const InverseTask& task) {
   if (!inversion::obstacle(tree, frames).empty()) return {};
-  const auto& plan = inversion::search(tree, frames, task).plan;
+  const inversion::Search& found = inversion::search(tree, frames, task);
+  const int joints = found.chain.joints;
+  if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
+  const std::optional<Plan>& plan = found.plan;
   if (!plan) return {};
-  return {plan->chain.joints, plan->branches(), plan->roots()};
+  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0};
 }
 
 Program inverse_kinematics(
@@ -122,6 +158,7 @@ Program inverse_kinematics(
   Inversion inversion(tree, frames, task);
   Trace& trace = inversion.trace;
   inversion.target_input();
+  inversion.swivel_input();
   inversion.reference_input();
   std::vector<Expression> misfit, determinant;
   Columns sines, cosines;
@@ -136,8 +173,8 @@ Program inverse_kinematics(
   }
   trace.output("sin_q", Role::matrix, inversion.chain.joints, sines);
   trace.output("cos_q", Role::matrix, inversion.chain.joints, cosines);
-  trace.output("misfit", Role::value, misfit);
-  trace.output("determinant", Role::value, determinant);
+  trace.output("misfit", Role::residual, misfit);
+  trace.output("determinant", Role::residual, determinant);
   return trace.program(name);
 }
 
@@ -149,10 +186,8 @@ Program inverse_kinematics_branch(
   Inversion inversion(tree, frames, task);
   Trace& trace = inversion.trace;
   inversion.target_input();
-  std::vector<std::string> elements;
-  for (const inversion::Step& step : inversion.plan.steps)
-    if (step.has_two_roots(inversion.chain)) elements.push_back(inversion.chain.axis(step.joint).name);
-  const std::vector<Expression> signs = trace.input("signs", Role::value, elements);
+  inversion.swivel_input();
+  const std::vector<Expression> signs = trace.input("signs", Role::value, sign_names(inversion.found));
   inversion.reference_input();
   const Branch branch = inversion.branches(&signs).front();
   trace.section("q", "positions");
@@ -163,8 +198,8 @@ Program inverse_kinematics_branch(
     q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
   }
   trace.output("q", Role::joint_position, trace.positions(q));
-  trace.output("misfit", Role::value, std::vector<Expression>{branch.misfit});
-  trace.output("determinant", Role::value, std::vector<Expression>{inversion.determinant(branch)});
+  trace.output("misfit", Role::residual, std::vector<Expression>{branch.misfit});
+  trace.output("determinant", Role::residual, std::vector<Expression>{inversion.determinant(branch)});
   return trace.program(name);
 }
 
@@ -178,16 +213,30 @@ Program inverse_kinematics_configuration(
   inversion.reference = trace.joint_input("q", Role::joint_position);
   inversion::JointValues values(inversion.chain.axes.size());
   for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, inversion.reference);
-  const inversion::StepSolver solver = inversion.solver();
   std::vector<Expression> signs;
-  for (const inversion::Step& step : inversion.plan.steps) {
-    if (!step.has_two_roots(inversion.chain)) continue;
-    trace.section(inversion.chain.axis(step.joint).name, "joint " + describe(inversion.chain, step));
+  for (const Expression& root : inversion.roots(values)) {
     // The sign, as a number: positive where the roots meet.
-    const Expression root = solver.root(step, values) + trace.graph.constant(0x1p-100);
-    signs.push_back(root / sqrt(root * root));
+    const Expression shifted = root + trace.graph.constant(0x1p-100);
+    signs.push_back(shifted / sqrt(shifted * shifted));
   }
   trace.output("signs", Role::value, signs);
+  return trace.program(name);
+}
+
+Program inverse_kinematics_redundancy(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task,
+    const std::string& name) {
+  Inversion inversion(tree, frames, task);
+  Trace& trace = inversion.trace;
+  const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
+  inversion::JointValues values(inversion.chain.axes.size());
+  for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, q);
+  trace.section("swivel", "swivel angle");
+  trace.output(
+      "swivel", Role::value,
+      std::vector<Expression>{inversion::swivel_of(trace.graph, *inversion.found.swivel, values)});
   return trace.program(name);
 }
 
@@ -195,10 +244,35 @@ std::vector<std::string> inverse_kinematics_steps(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
     const InverseTask& task) {
+  const inversion::Search& found = inversion::search(tree, frames, task);
+  if (found.swivel) return found.swivel->lines();
   std::vector<std::string> lines;
-  const Plan& plan = *inversion::search(tree, frames, task).plan;
-  for (const inversion::Step& step : plan.steps) lines.push_back(describe(plan.chain, step));
+  for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
   return lines;
+}
+
+InverseKinematicsReport report_inverse_kinematics(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task) {
+  const std::string obstacle = inversion::obstacle(tree, frames);
+  if (!obstacle.empty()) return {false, obstacle, ""};
+  const inversion::Search& search = inversion::search(tree, frames, task);
+  if (task.given >= 0 && search.chain.given < 0)
+    return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
+  std::vector<std::string> arguments;
+  if (!search.plan && !task.by_swivel && task.given < 0) {
+    InverseTask other = task;
+    for (int k = 0; k < search.chain.joints; ++k) {
+      other.given = search.chain.axis(k).joint;
+      if (inversion::search(tree, frames, other).plan) arguments.push_back("'given " + search.chain.axis(k).name + "'");
+    }
+    other = task;
+    other.by_swivel = true;
+    if (inversion::search(tree, frames, other).swivel) arguments.emplace_back("'swivel'");
+  }
+  inversion::Explanation explanation = explain(search, arguments);
+  return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};
 }
 
 }  // namespace robcogen::algorithm

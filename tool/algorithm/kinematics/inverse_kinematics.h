@@ -12,9 +12,10 @@ namespace robcogen::algorithm {
 
 // The sizes of the functions; zeros if the chain has no closed form.
 struct InverseKinematicsSize {
-  int joints = 0;  // of the chain, without a given one
+  int joints = 0;  // of the chain
   int branches = 0;
   int signs = 0;
+  bool has_determinant = false;  // the output `determinant` is that of the Jacobian
 };
 InverseKinematicsSize inverse_kinematics_size(
     const model::KinematicTree& tree,
@@ -42,8 +43,25 @@ symbolic::Program inverse_kinematics_configuration(
     const model::InverseTask& task,
     const std::string& name);
 
-// A line for what is special about the axes, and one for each step; or why there is no closed form.
+// The swivel angle, if the task takes it.
+symbolic::Program inverse_kinematics_redundancy(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const model::InverseTask& task,
+    const std::string& name);
+
+// How each joint is found, in this order: `J4: distance of the point of J1, J2, J3 and the point of J5, J6, 2 roots`.
 std::vector<std::string> inverse_kinematics_steps(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const model::InverseTask& task);
+
+// In words: what is special about the axes of a chain that has a closed form, or why it has none, and what to do.
+struct InverseKinematicsReport {
+  bool has_closed_form = false;
+  std::string reason, hint;
+};
+InverseKinematicsReport report_inverse_kinematics(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
     const model::InverseTask& task);

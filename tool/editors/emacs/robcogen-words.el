@@ -103,6 +103,7 @@
   '("Contacts"
     "Functions"
     "for"
+    "given"
     "in"
     "point"
     "surface"))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace robcogen::algorithm::inversion {
 namespace {
@@ -165,8 +166,13 @@ class FeatureFinder {
   }
 
   void add_fixed() {
-    if (chain_.task.kind != model::InverseTask::Kind::pose) return;
     const int end = chain_.size();
+    if (chain_.task.kind == model::InverseTask::Kind::orientation)
+      for (const Numbers3& e : kUnit) {
+        add(found_, {Kind::direction, chain_.joints, end, {}, e});
+        add(found_, {Kind::direction, 0, 0, {}, e});
+      }
+    if (chain_.task.kind != model::InverseTask::Kind::pose) return;
     add(found_, {Kind::point, end, end, clean(chain_.position), {}});
     for (const Numbers3& e : kUnit) {
       add(found_, {Kind::direction, end, end, {}, e});

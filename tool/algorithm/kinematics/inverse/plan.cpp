@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithm/kinematics/inverse/probes.h"
+#include "algorithm/kinematics/inverse/swivel.h"
 
 namespace robcogen::algorithm::inversion {
 namespace {
@@ -367,7 +368,8 @@ int class_of(double error) {
 // What a search depends on.
 std::vector<double> numbers_of(const SerialChain& chain) {
   std::vector<double> numbers = {
-      static_cast<double>(chain.joints), static_cast<double>(chain.given), static_cast<double>(chain.task.kind)};
+      static_cast<double>(chain.joints), static_cast<double>(chain.given), static_cast<double>(chain.task.kind),
+      chain.task.by_swivel ? 1.0 : 0.0};
   const auto add = [&](const Numbers3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
   for (const ChainAxis& axis : chain.axes) {
     numbers.push_back(axis.turns ? 1.0 : 0.0);
@@ -421,6 +423,11 @@ std::vector<Branch> branches(
 
 Search search(const SerialChain& chain) {
   Search result{{}, chain, {}};
+  if (chain.task.by_swivel) {
+    if (std::optional<SwivelPlan> plan = swivel_plan(chain))
+      result.swivel = std::make_shared<const SwivelPlan>(*std::move(plan));
+    return result;
+  }
   std::vector<Order> orders = PlanSearch(chain).orders(result.found);
   std::optional<std::pair<int, int>> best;
   for (Order& order : orders) {
@@ -440,7 +447,7 @@ const Search& search(const model::KinematicTree& tree, const model::FramePair& f
   const SerialChain chain = serial_chain(tree, frames, task);
   std::string joints;
   for (const ChainAxis& axis : chain.axes) joints += std::to_string(axis.joint) + " " + axis.name + " ";
-  const std::lock_guard lock(mutex);
+  const std::scoped_lock lock(mutex);
   std::unique_ptr<const Search>& found = known[{numbers_of(chain), joints}];
   if (!found) found = std::make_unique<const Search>(search(chain));
   return *found;

@@ -1,6 +1,7 @@
 // Plans: an order in which all joints of a chain are found, each by an equation in one unknown.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +22,13 @@ struct Plan {
   int branches() const { return 1 << roots(); }
 };
 
-// The joints that are found, if not all are.
+struct SwivelPlan;  // swivel.h
+
 struct Search {
   std::optional<Plan> plan;
   SerialChain chain;
-  Known found;
+  Known found;                                    // the joints that are found, if not all are
+  std::shared_ptr<const SwivelPlan> swivel = {};  // instead of a plan, if the task takes the swivel angle
 };
 
 // The cheapest of the most accurate plans that the search finds. It is the same on all machines.

@@ -61,6 +61,9 @@ void add_freedoms(SerialChain& chain) {
     case model::InverseTask::Kind::axis:
       add(true, snapped(chain.rotation[2]));
       break;
+    case model::InverseTask::Kind::orientation:
+      for (const Numbers3& e : kIdentity) add(false, e);
+      break;
   }
 }
 
@@ -137,6 +140,18 @@ SerialChain serial_chain(
   return chain;
 }
 
+SerialChain orientation_chain(const SerialChain& chain, int begin, int end) {
+  SerialChain part = chain;
+  part.axes.assign(chain.axes.begin() + begin, chain.axes.begin() + end);
+  part.joints = end - begin;
+  part.rotation = kIdentity;
+  part.position = {};
+  part.task = {model::InverseTask::Kind::orientation};
+  part.given = -1;
+  add_freedoms(part);
+  return part;
+}
+
 NumberPose pose(const SerialChain& chain, const std::vector<SineCosine>& joints) {
   NumberPose result{chain.rotation, chain.position};
   for (int k = chain.joints; k-- > 0;) {
@@ -159,7 +174,8 @@ double task_error(const SerialChain& chain, const NumberPose& a, const NumberPos
     return std::max(displacement, norm(a.rotation[2] - b.rotation[2]));
   double square = 0.0;
   for (std::size_t k = 0; k < 3; ++k) square += dot(a.rotation[k] - b.rotation[k], a.rotation[k] - b.rotation[k]);
-  return std::max(displacement, std::sqrt(square / 2.0));
+  const double turn = std::sqrt(square / 2.0);
+  return chain.task.kind == model::InverseTask::Kind::orientation ? turn : std::max(displacement, turn);
 }
 
 }  // namespace robcogen::algorithm::inversion

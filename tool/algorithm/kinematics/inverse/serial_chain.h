@@ -68,6 +68,9 @@ SerialChain serial_chain(
     const model::FramePair& frames,
     const model::InverseTask& task);
 
+// The joints from begin to before end as a chain of their own, for the orientation that they have together.
+SerialChain orientation_chain(const SerialChain& chain, int begin, int end);
+
 // The pose of the last frame: the sines and cosines of joints that turn, or positions of those that slide.
 struct NumberPose {
   NumberMatrix rotation{};

@@ -33,12 +33,16 @@ Expression magnitude(const Expression& a) {
   return sqrt(a * a);
 }
 
-// A value that passes leave alone, so that no sum of it with a small term is rearranged.
-Expression kept(Graph& graph, const Expression& e, const SerialChain& chain, int joint, const char* symbol) {
+symbolic::Quantity of_joint(const SerialChain& chain, int joint, const char* symbol) {
   symbolic::Quantity quantity;
   quantity.subject = chain.axis(joint).name;
   quantity.symbol = symbol;
-  graph.name(e, std::move(quantity));
+  return quantity;
+}
+
+// A value that passes leave alone, so that no sum of it with a small term is rearranged.
+Expression kept(Graph& graph, const Expression& e, const SerialChain& chain, int joint, const char* symbol) {
+  graph.name(e, of_joint(chain, joint, symbol));
   return e;
 }
 
@@ -63,6 +67,7 @@ StepSolver::StepSolver(
   const bool has_rotation = !target_.rotation[0][0].is_constant();
   if (has_rotation || first < chain.joints)
     tiny_ = kTiny * (graph.constant(2.0) + (has_rotation ? target_.rotation[0][0] : sin(references_[at(first)])));
+  graph.describe(tiny_, of_joint(chain, 0, "tiny"));
 }
 
 Vector3 StepSolver::constant(const Numbers3& v) const {
@@ -100,12 +105,10 @@ StepSolver::Item StepSolver::item(const Feature& f) const {
 
 StepSolver::Item StepSolver::past(int joint, const Item& x, const JointValues& values, bool inverse) const {
   const ChainAxis& axis = chain_.axis(joint);
+  if (!axis.turns && x.is_direction) return x;  // also where the joint is not known
   const JointValue& value = *values[at(joint)];
   const Basis& basis = bases_[at(joint)];
-  if (!axis.turns) {
-    if (x.is_direction) return x;
-    return {x.v + (inverse ? -value.sine : value.sine) * basis.h, false};
-  }
+  if (!axis.turns) return {x.v + (inverse ? -value.sine : value.sine) * basis.h, false};
   const Vector3 origin = axis_point(joint), v = x.is_direction ? x.v : x.v - origin;
   const Expression s = inverse ? -value.sine : value.sine, &c = value.cosine;
   const Expression a = dot(basis.u, v), b = dot(basis.w, v), along = dot(basis.h, v);
@@ -425,6 +428,16 @@ std::optional<SolvedJoint> StepSolver::at_meeting_axes(
 }
 
 std::optional<SolvedJoint> StepSolver::solve(const Step& step, const JointValues& values, const Expression& sign) {
+  const std::optional<SolvedJoint> found = solved(step, values, sign);
+  if (!found || !graph_.keeps_names()) return found;
+  graph_.describe(found->value.sine, of_joint(chain_, step.joint, chain_.axis(step.joint).turns ? "sin" : "position"));
+  graph_.describe(found->value.cosine, of_joint(chain_, step.joint, "cos"));
+  graph_.describe(found->misfit, of_joint(chain_, step.joint, "misfit"));
+  graph_.describe(found->root, of_joint(chain_, step.joint, "root"));
+  return found;
+}
+
+std::optional<SolvedJoint> StepSolver::solved(const Step& step, const JointValues& values, const Expression& sign) {
   switch (step.equation) {
     case Equation::vector:
       return by_vector(step, values);

@@ -46,8 +46,14 @@ class StepSolver {
 
   // E_1 … E_n x: a point, or a direction, of the last link in the first frame.
   Vector3 moved(const Vector3& x, bool is_direction, const JointValues& values) const {
-    return along({x, is_direction}, 0, chain_.joints, values, false).v;
+    return moved(x, is_direction, values, 0, chain_.joints);
   }
+  // The same past the joints from begin to before end.
+  Vector3 moved(const Vector3& x, bool is_direction, const JointValues& values, int begin, int end) const {
+    return along({x, is_direction}, begin, end, values, false).v;
+  }
+  // Where the target puts x of the last link.
+  Vector3 of_target(const Vector3& x, bool is_direction) const { return by_target({x, is_direction}, false).v; }
 
   // By vector step that was solved: the squared lengths of its vectors across the axis.
   struct Lengths {
@@ -109,6 +115,7 @@ class StepSolver {
       const std::optional<Discriminant>& discriminant,
       bool is_distance);
   std::optional<SolvedJoint> turned(int joint, const Vector3& from, const Vector3& to, bool is_backward);
+  std::optional<SolvedJoint> solved(const Step& step, const JointValues& values, const Expression& sign);
   std::optional<SolvedJoint> by_vector(const Step& step, const JointValues& values);
   std::optional<SolvedJoint> by_angle(const Step& step, const JointValues& values, const Expression& sign);
   std::optional<SolvedJoint> by_distance(const Step& step, const JointValues& values, const Expression& sign);
