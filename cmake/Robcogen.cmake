@@ -36,6 +36,10 @@
 #       [CONTACTS frame[:point|:surface]…]
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
+#       [INVERSE_KINEMATICS left:right[:point|:axis|:swivel|:given=joint]…]
+#                                   # joint positions for the pose of frame right in frame left, in closed form; for the
+#                                   # position of its origin, for that and its z axis, or with one joint or the
+#                                   # swivel angle given. Without ALGORITHMS, the default groups and `inverse_kinematics`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
 #                                   # three times as long. On x86-64 (gcc, clang) for AVX-512 and for AVX2; a program
 #                                   # selects one level when it starts
@@ -123,7 +127,7 @@ function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES
       COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
-  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -262,6 +266,9 @@ function(_robcogen_choose_groups)
     if(NOT "${library_CONTACTS}" STREQUAL "")
       list(APPEND chosen contacts)
     endif()
+    if(NOT "${library_INVERSE_KINEMATICS}" STREQUAL "")
+      list(APPEND chosen inverse_kinematics)
+    endif()
   elseif("all" IN_LIST chosen)
     get_property(chosen GLOBAL PROPERTY ROBCOGEN_GROUPS)
     set(library_ALGORITHMS all PARENT_SCOPE)
@@ -397,6 +404,10 @@ function(_robcogen_generate_arguments result)
   if(NOT "${library_CONTACTS}" STREQUAL "")
     list(JOIN library_CONTACTS "," contacts)
     list(APPEND arguments --contacts ${contacts})
+  endif()
+  if(NOT "${library_INVERSE_KINEMATICS}" STREQUAL "")
+    list(JOIN library_INVERSE_KINEMATICS "," inverses)
+    list(APPEND arguments --inverse-kinematics ${inverses})
   endif()
   if(library_BATCH)
     list(APPEND arguments --batch)

@@ -110,6 +110,58 @@ TEST(InverseKinematics, IsDampedAtSingularities) {
   }
 }
 
+// Targets are drawn within the limits, which are narrow: a start outside, few steps, and joints at their limits.
+TYPED_TEST(InverseKinematics, FindsPositionsWithinLimits) {
+  using Joints = typename TypeParam::JointState;
+  const TypeParam chain;
+  std::mt19937_64 engine(13);
+  InverseKinematicsOptions<Joints> options;
+  options.lower = Joints::Constant(-2);
+  options.upper = Joints::Constant(1.5);
+  int found = 0;
+  for (int i = 0; i < kTargets; ++i) {
+    const Joints solution = 1.75 * uniform_joints<Joints>(engine, 1) - Joints::Constant(0.25);
+    const Eigen::Matrix4d target = chain.pose(solution);
+    const auto result = inverse_kinematics(chain, Joints(Joints::Constant(3)), target, options);
+    found += result.found;
+    for (const auto joint : TypeParam::kColumns) {
+      const int j = static_cast<int>(joint);
+      ASSERT_TRUE(result.q[j] >= options.lower[j] && result.q[j] <= options.upper[j]) << j;
+    }
+    if (result.found) {
+      ASSERT_LT(pose_error<double>(chain.pose(result.q), target).norm(), 3e-9);
+    }
+  }
+  EXPECT_GE(found, kTargets * 98 / 100);
+}
+
+// Out of reach: the number of steps is bounded, and the result is the nearest position that was met.
+TEST(InverseKinematics, EndsOutOfReach) {
+  Eigen::Matrix4d target = HylFoot::pose(hyl::JointState::Zero());
+  target(1, 3) += 1;
+  const auto result = inverse_kinematics(HylFoot(), hyl::JointState(hyl::JointState::Zero()), target);
+  EXPECT_FALSE(result.found);
+  EXPECT_TRUE(result.q.allFinite());
+  EXPECT_EQ(result.steps, 16 * 20);
+  EXPECT_NEAR(result.error, 1 / 0.3, 0.2);
+}
+
+// A range of more than one turn: the position is that within limits.
+TEST(InverseKinematics, TakesWholeTurns) {
+  InverseKinematicsOptions<puma560::JointState> options;
+  options.lower = puma560::JointState::Constant(2);
+  options.upper = puma560::JointState::Constant(2 + 6.3);
+  std::mt19937_64 engine(14);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix4d target = PumaHand::pose(uniform_joints<puma560::JointState>(engine, 3));
+    const auto result =
+        inverse_kinematics(PumaHand(), puma560::JointState(puma560::JointState::Zero()), target, options);
+    EXPECT_TRUE(result.found) << i;
+    EXPECT_GE(result.q.minCoeff(), 2);
+    EXPECT_LE(result.q.maxCoeff(), 8.3);
+  }
+}
+
 TEST(PoseError, IsTheTurnAndTheDisplacement) {
   Eigen::Isometry3d from = Eigen::Isometry3d::Identity(), to = Eigen::Isometry3d::Identity();
   from.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();

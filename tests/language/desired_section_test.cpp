@@ -23,13 +23,15 @@ TEST(DesiredSection, AddsToItsList) {
        {std::tuple("Frames { A, B }", 2u, 0u, 0u, 0u),
         {"Transforms { A <- B A -> B A <- C }", 0u, 3u, 0u, 0u},
         {"Jacobians { base = A target = B }", 0u, 0u, 1u, 0u},
-        {"Contacts { A, surface B }", 0u, 0u, 0u, 2u}}) {
+        {"Contacts { A, surface B }", 0u, 0u, 0u, 2u},
+        {"InverseKinematics { A <- B point }", 0u, 0u, 0u, 0u}}) {
     DesiredText at(text);
     const Document document = read(at);
     EXPECT_EQ(document.frames.size(), frames) << text;
     EXPECT_EQ(document.transforms.size(), transforms) << text;
     EXPECT_EQ(document.jacobians.size(), jacobians) << text;
     EXPECT_EQ(document.contacts.size(), contacts) << text;
+    EXPECT_EQ(document.inverses.size(), std::string(text).starts_with("Inverse") ? 1u : 0u) << text;
     EXPECT_TRUE(at.cursor.at_end()) << text;
     EXPECT_TRUE(at.diagnostics.all().empty()) << text;
   }

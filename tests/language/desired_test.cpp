@@ -65,6 +65,31 @@ TEST(Desired, ReadsContacts) {
   EXPECT_EQ(desired_codes("Robot R Frames { } Transforms { } Contacts { A, }"), Codes{"unexpected-token"});
 }
 
+// The words of tasks may be names of frames.
+TEST(Desired, ReadsInverseKinematics) {
+  const auto inverses = [](const std::string& text) {
+    const Document document = read_desired("Robot R Frames { } Transforms { } InverseKinematics {" + text + "}");
+    std::string found;
+    for (const Inverse& i : document.inverses) {
+      found += i.pair.left.text + "_X_" + i.pair.right.text;
+      found += i.task == Inverse::Task::point ? " point" : i.task == Inverse::Task::axis ? " axis" : "";
+      found += i.task == Inverse::Task::swivel ? " swivel" : "";
+      found += (i.task == Inverse::Task::given ? " " + i.given.text : "") + ";";
+    }
+    return found;
+  };
+  EXPECT_EQ(inverses("base = A, target = B"), "A_X_B;");
+  EXPECT_EQ(inverses("base = A, target = B point A <- C, axis D -> A given J7"), "A_X_B point;A_X_C axis;A_X_D J7;");
+  EXPECT_EQ(
+      inverses("A <- B  point <- axis point  given <- A  swivel <- B, swivel"),
+      "A_X_B;point_X_axis point;given_X_A;swivel_X_B swivel;");
+  EXPECT_EQ(inverses(""), "");
+  const std::string before = "Robot R Frames { } Transforms { } InverseKinematics ";
+  EXPECT_EQ(desired_codes(before + "{ A <- B given }"), Codes{"unexpected-token"});
+  EXPECT_EQ(desired_codes(before + "{ A <- B, C <- D }"), Codes{"unexpected-token"});
+  EXPECT_EQ(desired_codes(before + "{ } InverseKinematics { }"), Codes{"duplicate-item"});
+}
+
 constexpr const char* kList = R"(/* of a leg */
 Robot Leg
 
@@ -87,6 +112,13 @@ Contacts {
     surface ^base
 }
 
+InverseKinematics {
+    base = fr_base, target = ^base
+    base = fr_base, target = hand, point
+    base = fr_base, target = nozzle, axis
+    base = fr_base, target = tool, given J7
+}
+
 Functions {
     control = bias_forces + jacobians.fr_base_J_tip
 }
@@ -96,6 +128,8 @@ TEST(Desired, PrintsTheCanonicalText) {
   EXPECT_EQ(
       print(read_desired("Model Leg Frames{fr_base ^base}Transforms{fr_base <- ^base fr_base->^base}\n"
                          "/* of a leg */ Jacobians{right=^base left=fr_base}Contacts{fr_base surface ^base}"
+                         "InverseKinematics{fr_base <- ^base fr_base <- hand point  fr_base <- nozzle axis "
+                         "base=fr_base target=tool given J7}"
                          "Functions{control=bias_forces+jacobians::fr_base_J_tip}")),
       kList);
   EXPECT_EQ(print(read_desired(kList)), kList);
@@ -166,10 +200,16 @@ Contacts {
         surface leg.tip
     }
 }
+
+InverseKinematics {
+    for leg in { LF } {
+        base = ^base, target = leg.tip, point
+    }
+}
 )";
   const Document list = read_desired(plain);
   EXPECT_EQ(print(list), plain);
-  ASSERT_EQ(list.loops.size(), 4u);
+  ASSERT_EQ(list.loops.size(), 5u);
   EXPECT_EQ(list.loops[1].instances.size(), 3u);
   EXPECT_EQ(list.transforms[0].right.instance, "side");
   EXPECT_EQ(list.transforms[2].left.loop, Name::kNoLoop);

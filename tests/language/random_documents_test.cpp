@@ -345,11 +345,24 @@ desired::Contact contact() {
   return contact;
 }
 
+desired::Inverse inverse() {
+  desired::Inverse inverse;
+  inverse.pair = pair();
+  using Task = desired::Inverse::Task;
+  inverse.task = flipped()   ? flipped() ? Task::pose : Task::point
+                 : flipped() ? Task::axis
+                 : flipped() ? Task::swivel
+                             : Task::given;
+  if (inverse.task == Task::given) inverse.given = frame_name();
+  return inverse;
+}
+
 desired::Document list() {
   desired::Document document;
   document.robot = frame_name();
   document.comments = comments();
   document.contacts = up_to(5, contact);
+  document.inverses = up_to(5, inverse);
   document.frames = up_to(10, frame_name);
   document.transforms = up_to(10, pair);
   document.jacobians = up_to(10, pair);

@@ -24,6 +24,8 @@ std::string meaning_of(Role role) {
       return "wrench on each link, angular first, in axes of the frame fr_<link> about its origin";
     case Role::inertia_factor:
       return "factor L of the joint-space inertia matrix";
+    case Role::homogeneous:
+      return "homogeneous transform, row by row";
     case Role::parameters:
       return "parameters of the model";
     case Role::variables:
@@ -212,12 +214,12 @@ Argument external_argument(const InputArray& array, const model::KinematicTree& 
 
 Argument array_argument(const InputArray& array) {
   const std::size_t size = array.elements.size();
-  if (array.role == Role::inertia_factor) {
+  if (symbolic::is_square_input(array.role)) {
     const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(size))));
     return {array.name, Shape::square, meaning_of(array.role), {}, n, {}};
   }
   std::string meaning = meaning_of(array.role);
-  if (!array.quaternions.empty() && array.role == Role::joint_position)
+  if (!array.quaternions.empty() && (array.role == Role::joint_position || array.role == Role::joint_reference))
     meaning += "; of spherical joints unit quaternions, scalar part first";
   if (array.followers > 0)
     meaning += fmt::format("; the last {}, which follow through loops, may be left out", array.followers);

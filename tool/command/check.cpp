@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "algorithm/kinematics/inverse_kinematics.h"
 #include "command/model_options.h"
 #include "command/output.h"
 #include "command/subcommands.h"
@@ -11,14 +12,36 @@
 namespace robcogen::command {
 namespace {
 
-// Checks a list against the model, whose own errors were reported before.
-void check_list(
+// How each desired chain is inverted, or that from the base to each link without children and each user frame, or why
+// it is not.
+std::string kinematics_of(const driver::Robot& robot) {
+  std::vector<model::InverseTarget> targets = robot.desired.inverses;
+  if (targets.empty())
+    for (const model::FramePair& pair : model::default_desired(robot.tree).jacobians) targets.push_back({pair});
+  std::string text;
+  for (const model::InverseTarget& target : targets) {
+    const algorithm::InverseKinematicsReport report =
+        algorithm::report_inverse_kinematics(robot.tree, target.frames, target.task);
+    text += fmt::format(
+        "{}_X_{}: {}{}\n", target.frames.left.name, target.frames.right.name,
+        report.has_closed_form ? "" : "no closed form: ", report.reason);
+    if (report.has_closed_form)
+      for (const std::string& step : algorithm::inverse_kinematics_steps(robot.tree, target.frames, target.task))
+        text += "  " + step + "\n";
+    else if (!report.hint.empty())
+      text += "  hint: " + report.hint + "\n";
+  }
+  return text;
+}
+
+// Checks a list against the model, whose own errors were reported before. Returns what is to be printed.
+std::string check_list(
     const CheckOptions& options,
     const std::string& list,
     const std::string& model,
     Diagnostics& diagnostics) {
   const language::desired::Document document = language::desired::parse(driver::read_source(list), diagnostics);
-  if (diagnostics.has_errors()) return;
+  if (diagnostics.has_errors()) return "";
   Diagnostics again;
   if (!driver::is_robot(driver::language_of(model))) {
     if (const auto motions = driver::load_motions_of(model, again))
@@ -31,8 +54,12 @@ void check_list(
            .changes = options.format.changes,
            .import_folders = options.import_folders},
           again)) {
-    driver::checked_desired_transforms(document, loaded->robot()->tree, diagnostics);
+    const driver::Robot robot = {
+        loaded->robot()->tree, driver::checked_desired_transforms(document, loaded->robot()->tree, diagnostics)};
+    driver::check_closed_forms(robot, diagnostics);
+    if (options.lists_kinematics) return kinematics_of(robot);
   }
+  return "";
 }
 
 }  // namespace
@@ -45,6 +72,7 @@ Status check(const CheckOptions& options) {
   for (const std::string& model : models) require_format(model, options.format);
   report_missing_folders(options.import_folders, options.messages);
   Diagnostics diagnostics;
+  std::string kinematics;
   for (const std::string& model : models) {
     const auto loaded = driver::load(
         model,
@@ -57,15 +85,18 @@ Status check(const CheckOptions& options) {
          .may_be_library = true},
         diagnostics);
     if (loaded) driver::mention_joint_limit(*loaded, diagnostics);
+    if (loaded && loaded->robot() && options.lists_kinematics && lists.empty())
+      kinematics += kinematics_of(*loaded->robot());
   }
   for (const std::string& list : lists) {
     if (models.size() == 1)
-      check_list(options, list, models.front(), diagnostics);
+      kinematics += check_list(options, list, models.front(), diagnostics);
     else
       language::desired::parse(driver::read_source(list), diagnostics);
   }
   if (options.strict) driver::promote_strict_warnings(diagnostics);
   report(diagnostics.render(options.messages));
+  if (!diagnostics.has_errors()) write_output(kinematics);
   return diagnostics.has_errors() ? wrong_input : ok;
 }
 

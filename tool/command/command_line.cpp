@@ -218,6 +218,18 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       ->allow_extra_args(false);
   subcommand
       .add_option(
+          "--inverse-kinematics", model.inverses,
+          "Chains whose inverse kinematics is made in closed form: a comma-separated list of LEFT:RIGHT for the pose "
+          "of "
+          "frame RIGHT in frame LEFT, LEFT:RIGHT:point for the position of its origin, LEFT:RIGHT:axis for that and "
+          "its "
+          "z axis, or LEFT:RIGHT:given=JOINT or LEFT:RIGHT:swivel for a pose with a joint, or the swivel angle of an "
+          "arm "
+          "of seven joints, as an argument")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  subcommand
+      .add_option(
           "--frames", model.frames,
           "Frames for which functions of frames (transforms, Jacobians, world, …) are made, instead of all: a "
           "comma-separated list of names, or of patterns with * and ?, such as '*_foot'. With --desired, those of its "
@@ -330,6 +342,11 @@ Action declare_check(CLI::App& application) {
   subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, MJCF, .motdsl, .ctdsl, .dtdsl)")
       ->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
+  subcommand->add_flag(
+      "--kinematics", options->lists_kinematics,
+      "Prints how the inverse kinematics of each chain is solved in closed form, or why there is none: of the chains "
+      "of "
+      "the list, or from the base to each link without children and each user frame");
   declare_import_folders(*subcommand, options->import_folders);
   declare_format_options(*subcommand, options->format);
   declare_parameters(*subcommand, options->format);

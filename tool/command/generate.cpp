@@ -79,13 +79,15 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// Without a list, these are the default groups, and the group of contacts if contact frames are given. If functions are
-// given, so is their group. Headers of the first RobCoGen call functions of further groups.
+// Without a list, these are the default groups, and those whose frames are given. If functions are given, so is their
+// group. Headers of the first RobCoGen call functions of further groups.
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
   const ModelOptions& model = options.model;
   std::vector<std::string> groups = options.groups;
-  if (groups.empty() && !(model.contacts.empty() && model.functions.empty())) groups = algorithm::default_groups();
+  if (groups.empty() && !(model.contacts.empty() && model.inverses.empty() && model.functions.empty()))
+    groups = algorithm::default_groups();
   if (options.groups.empty() && !model.contacts.empty()) groups.emplace_back("contacts");
+  if (options.groups.empty() && !model.inverses.empty()) groups.emplace_back("inverse_kinematics");
   if (!model.functions.empty()) groups.emplace_back(algorithm::kFusedGroup);
   if (!groups.empty() && !options.compatibility.empty())
     groups.insert(groups.end(), backend::compatibility::groups().begin(), backend::compatibility::groups().end());

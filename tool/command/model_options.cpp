@@ -102,6 +102,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
     const {
   require_format(file, format);
   const char* const for_robots = !contacts.empty()    ? "--contacts"
+                                 : !inverses.empty()  ? "--inverse-kinematics"
                                  : !frames.empty()    ? "--frames"
                                  : !functions.empty() ? "--function"
                                                       : nullptr;
@@ -121,6 +122,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.groups = named_groups(groups);
   for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
   options.contacts = contacts;
+  options.inverses = inverses;
   options.frames = frames;
   options.functions = functions;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;

@@ -45,6 +45,7 @@ struct ModelOptions {
   std::string file;
   std::string desired;
   std::vector<std::string> contacts;   // for robots
+  std::vector<std::string> inverses;   // for robots
   std::vector<std::string> frames;     // for robots: names or patterns
   std::vector<std::string> functions;  // for robots: `name = function + function`
   bool strict = false;

@@ -35,6 +35,7 @@ struct CheckOptions {
   std::vector<std::filesystem::path> import_folders;
   FormatOptions format;
   bool strict = false;
+  bool lists_kinematics = false;  // prints how chains are inverted
   Rendering messages;
 };
 Status check(const CheckOptions& options);

@@ -15,7 +15,7 @@ using algorithm::Declared;
 std::vector<Declared> find_functions(const Robot& robot, const std::string& name) {
   for (std::vector<Declared>& function : algorithm::fused_functions(robot.tree, robot.desired))
     if (function.front().name == name) return std::move(function);
-  return algorithm::find_function(robot.tree, robot.desired.contacts, name);
+  return algorithm::find_function(robot.tree, robot.desired, name);
 }
 
 std::vector<std::string> function_names(const Robot& robot) {

@@ -96,7 +96,7 @@ class FunctionChecker {
 
   // The overloads of a part; nullopt after an error.
   std::optional<std::vector<Declared>> find(const FusedFunction& function, const FusedFunction::Part& part) {
-    std::vector<Declared> overloads = algorithm::find_function(tree_, desired_.contacts, part.function);
+    std::vector<Declared> overloads = algorithm::find_function(tree_, desired_, part.function);
     if (overloads.empty()) {
       report_missing(function, part);
       return std::nullopt;

@@ -8,6 +8,7 @@
 #include "algorithm/catalogue/catalogue.h"
 #include "algorithm/catalogue/fused.h"
 #include "algorithm/catalogue/transform_functions.h"
+#include "algorithm/kinematics/inverse_kinematics.h"
 #include "driver/documents.h"
 #include "driver/fused_functions.h"
 #include "driver/option_text.h"
@@ -140,6 +141,38 @@ std::vector<import::NamedContact> named_contacts(const std::vector<std::string>&
   return contacts;
 }
 
+// `fr_base:fr_tool`, `fr_base:fr_foot:point`, `fr_base:fr_hand:given=J7`
+std::vector<import::NamedInverse> named_inverses(const std::vector<std::string>& words, Diagnostics& diagnostics) {
+  const std::vector<Place> places = places_of("--inverse-kinematics", words);
+  std::vector<import::NamedInverse> inverses;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+      end = words[k].find(':', begin);
+      parts.push_back(words[k].substr(begin, end == std::string::npos ? end : end - begin));
+    }
+    import::NamedInverse inverse;
+    inverse.place = places[k];
+    const std::string task = parts.size() > 2 ? parts[2] : "", given = "given=";
+    using Kind = model::InverseTask::Kind;
+    const bool is_given = task.starts_with(given) && task.size() > given.size();
+    if (parts.size() < 2 || parts.size() > 3 ||
+        (!task.empty() && task != "point" && task != "axis" && task != "swivel" && !is_given)) {
+      diagnostics.error("wrong-inverse", places[k], fmt::format("'{}' does not say what to invert", words[k])).hint =
+          "write LEFT:RIGHT for the pose of RIGHT in LEFT, or LEFT:RIGHT:point, LEFT:RIGHT:axis, "
+          "LEFT:RIGHT:swivel or LEFT:RIGHT:given=JOINT";
+      continue;
+    }
+    inverse.left = parts[0];
+    inverse.right = parts[1];
+    inverse.kind = task == "point" ? Kind::point : task == "axis" ? Kind::axis : Kind::pose;
+    inverse.by_swivel = task == "swivel";
+    if (is_given) inverse.given = task.substr(given.size());
+    inverses.push_back(std::move(inverse));
+  }
+  return inverses;
+}
+
 std::vector<import::FramePattern> frame_patterns(const std::vector<std::string>& words) {
   const std::vector<Place> places = places_of("--frames", words);
   std::vector<import::FramePattern> patterns;
@@ -156,6 +189,19 @@ void require_contacts(const Robot& robot, const std::vector<std::string>& groups
               "no-contacts", robot.tree.links[0].place,
               fmt::format("'{}' of robot '{}' needs contact frames", group, robot.tree.name))
           .hint = "name them: --contacts FRAME… (CONTACTS in CMake), or 'Contacts { … }' in the desired transforms";
+}
+
+void require_closed_forms(const Robot& robot, const std::vector<std::string>& groups, Diagnostics& diagnostics) {
+  const bool is_asked = std::find(groups.begin(), groups.end(), "inverse_kinematics") != groups.end();
+  if (is_asked && robot.desired.inverses.empty())
+    diagnostics
+        .error(
+            "no-inverses", robot.tree.links[0].place,
+            fmt::format("'inverse_kinematics' of robot '{}' needs pairs of frames", robot.tree.name))
+        .hint =
+        "name them: --inverse-kinematics LEFT:RIGHT… (INVERSE_KINEMATICS in CMake), or 'InverseKinematics { … }' "
+        "in the desired transforms";
+  check_closed_forms(robot, diagnostics);
 }
 
 // The transforms and contacts to generate, for a robot that has all groups that were asked for. All functions of frames
@@ -177,6 +223,8 @@ model::DesiredTransforms desired_of(
   }
   if (!options.contacts.empty())
     result.contacts = import::contact_frames(named_contacts(options.contacts, diagnostics), tree, diagnostics);
+  if (!options.inverses.empty())
+    result.inverses = import::inverse_targets(named_inverses(options.inverses, diagnostics), tree, diagnostics);
   for (model::FusedFunction& f : functions_of_option("--function", options.functions, diagnostics))
     result.functions.push_back(std::move(f));
   if (!diagnostics.has_errors()) check_functions(tree, result, diagnostics);
@@ -203,6 +251,7 @@ void list_absent_groups(const Robot& robot, Diagnostics& diagnostics) {
     const bool needs_contacts = std::find(of_contacts.begin(), of_contacts.end(), group) != of_contacts.end();
     if (reason.empty() && needs_contacts && robot.desired.contacts.empty()) reason = "no contact frames are named";
     if (group == algorithm::kFusedGroup && robot.desired.functions.empty()) reason = "no functions to fuse are named";
+    if (group == "inverse_kinematics" && robot.desired.inverses.empty()) reason = "no pairs of frames are named";
     if (reason.empty()) continue;
     diagnostics.note(
         "left-out-group", robot.tree.links[0].place,
@@ -232,6 +281,7 @@ std::optional<Model> load_robot(
   if (diagnostics.has_errors()) return std::nullopt;
   require_contacts(robot, options.groups, diagnostics);
   require_functions(robot, options.groups, diagnostics);
+  require_closed_forms(robot, options.groups, diagnostics);
   if (options.lists_absent_groups) list_absent_groups(robot, diagnostics);
   return model;
 }
@@ -375,6 +425,21 @@ std::optional<std::vector<FrameNames>> load_pairs(
 void promote_strict_warnings(Diagnostics& diagnostics) {
   diagnostics.promote_warnings(import::lenient_codes());
   diagnostics.promote_warnings(import::accident_codes());
+}
+
+void check_closed_forms(const Robot& robot, Diagnostics& diagnostics) {
+  for (const model::InverseTarget& target : robot.desired.inverses) {
+    const algorithm::InverseKinematicsReport report =
+        algorithm::report_inverse_kinematics(robot.tree, target.frames, target.task);
+    if (!report.has_closed_form)
+      diagnostics
+          .error(
+              "no-closed-form", target.place,
+              fmt::format(
+                  "{}_X_{} has no inverse in closed form: {}", target.frames.left.name, target.frames.right.name,
+                  report.reason))
+          .hint = report.hint;
+  }
 }
 
 }  // namespace robcogen::driver

@@ -66,6 +66,8 @@ struct LoadOptions {
   std::vector<std::string> contacts = {};
   // Further functions, fused of others (fused_functions.h): `control = bias_forces + joint_space_inertia`.
   std::vector<std::string> functions = {};
+  // Replace the inverse kinematics of the list: `fr_base:fr_tool`, with `:point`, `:axis`, `:swivel` or `:given=J7`.
+  std::vector<std::string> inverses = {};
   // Functions of frames are made for these only (import/frame_patterns.h): `fr_foot`, `*_foot`. Empty: for all.
   std::vector<std::string> frames = {};
   bool lists_absent_groups = false;   // adds a note for each group that the robot cannot have
@@ -76,6 +78,9 @@ struct LoadOptions {
 // Loads a file in its language (documents.h). Without a list, a document of motions yields each motion and its inverse.
 // Returns nullopt if an error was reported.
 std::optional<Model> load(const std::filesystem::path& file, const LoadOptions& options, Diagnostics& diagnostics);
+
+// Reports the chains of inverse kinematics that have no closed form.
+void check_closed_forms(const Robot& robot, Diagnostics& diagnostics);
 
 // The robot document of the file, in which parts are replaced by their content, and the files that were read for them.
 // Returns nullopt if an error was reported.

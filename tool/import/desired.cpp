@@ -58,6 +58,24 @@ model::DesiredTransforms desired_transforms(
     if (resolver.resolve(contact.frame))
       contacts.push_back({contact.frame.text, contact.is_surface, {document.source, contact.frame.span}});
   result.contacts = contact_frames(contacts, tree, diagnostics);
+  std::vector<NamedInverse> inverses;
+  for (const desired::Inverse& written_inverse : document.inverses) {
+    desired::Inverse inverse = written_inverse;
+    const bool has_left = resolver.resolve(inverse.pair.left), has_right = resolver.resolve(inverse.pair.right);
+    if (!has_left || !has_right) continue;
+    using Kind = model::InverseTask::Kind;
+    const Kind kind = inverse.task == desired::Inverse::Task::point  ? Kind::point
+                      : inverse.task == desired::Inverse::Task::axis ? Kind::axis
+                                                                     : Kind::pose;
+    inverses.push_back(
+        {inverse.pair.left.text,
+         inverse.pair.right.text,
+         kind,
+         inverse.task == desired::Inverse::Task::swivel,
+         inverse.given.text,
+         {document.source, inverse.pair.span}});
+  }
+  result.inverses = inverse_targets(inverses, tree, diagnostics);
   result.functions = fused_functions(document.functions, document.source);
   return result;
 }
@@ -98,6 +116,11 @@ std::vector<FrameNames> desired_frame_pairs(
     diagnostics.error(
         "function-without-robot", {document.source, document.functions.front().name.span},
         "fused functions need a robot: motions have transforms only");
+  }
+  if (!document.inverses.empty()) {
+    diagnostics.error(
+        "inverse-without-robot", {document.source, document.inverses.front().pair.span},
+        "inverse kinematics needs a robot: motions have no joints");
   }
   std::vector<FrameNames> result;
   for (const auto& [left_index, right_index, place] : resolver.resolve(document.transforms, "transform")) {

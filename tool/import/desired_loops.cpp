@@ -23,6 +23,10 @@ void instantiate(desired::Contact& contact, const desired::Loop& loop, const des
   instantiate(contact.frame, loop, instance);
 }
 
+void instantiate(desired::Inverse& inverse, const desired::Loop& loop, const desired::Name& instance) {
+  instantiate(inverse.pair, loop, instance);
+}
+
 template <class T>
 std::vector<T> unrolled(const std::vector<T>& list, const std::vector<desired::Loop>& loops) {
   std::vector<T> result;
@@ -53,6 +57,7 @@ desired::Document unrolled(const desired::Document& document) {
   result.transforms = unrolled(document.transforms, document.loops);
   result.jacobians = unrolled(document.jacobians, document.loops);
   result.contacts = unrolled(document.contacts, document.loops);
+  result.inverses = unrolled(document.inverses, document.loops);
   return result;
 }
 

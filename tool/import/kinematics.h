@@ -55,6 +55,21 @@ std::vector<model::ContactFrame> contact_frames(
     const model::KinematicTree& tree,
     Diagnostics& diagnostics);
 
+// Inverse kinematics by names.
+struct NamedInverse {
+  std::string left, right;
+  model::InverseTask::Kind kind = model::InverseTask::Kind::pose;
+  bool by_swivel = false;
+  std::string given = {};  // a joint, or empty
+  Place place = {};
+};
+
+// Unknown frames and joints, and repeated pairs, are errors.
+std::vector<model::InverseTarget> inverse_targets(
+    const std::vector<NamedInverse>& names,
+    const model::KinematicTree& tree,
+    Diagnostics& diagnostics);
+
 // The codes of the warnings of desired_transforms, which strict mode turns into errors.
 const std::vector<std::string>& lenient_codes();
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/drive.h"
+#include "model/inverse_task.h"
 #include "model/loop.h"
 #include "model/placement.h"
 #include "model/quantity.h"
@@ -287,13 +288,21 @@ struct FusedFunction {
   Place place = {};
 };
 
-// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, contact functions, and fused
-// functions.
+// Inverse kinematics of left_X_right.
+struct InverseTarget {
+  FramePair frames;
+  InverseTask task = {};
+  Place place = {};  // where it is asked for
+};
+
+// What to generate: coordinate transforms left_X_right, geometric Jacobians left_J_right, contact functions, inverse
+// kinematics, and fused functions.
 struct DesiredTransforms {
   std::vector<FramePair> transforms;
   std::vector<FramePair> jacobians;
   std::vector<ContactFrame> contacts = {};
   std::vector<FusedFunction> functions = {};
+  std::vector<InverseTarget> inverses = {};
 };
 
 // Every link frame and user frame except that of the base. If a link has a user frame of its own name, that frame

@@ -313,6 +313,10 @@ class ListCollector : public Collector {
         frame(pair.right, document.loops);
       }
     }
+    for (const language::desired::Inverse& inverse : document.inverses) {
+      frame(inverse.pair.left, document.loops);
+      frame(inverse.pair.right, document.loops);
+    }
     for (const language::desired::Contact& contact : document.contacts) frame(contact.frame, document.loops);
   }
 

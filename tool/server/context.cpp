@@ -15,11 +15,20 @@ bool is_word_token(const Token& token) {
 
 // Returns the block that a brace opens, given the tokens before it in the enclosing block.
 Context::Block opened(const std::vector<Token>& before, const Context& context) {
-  static const std::set<std::string_view> alone = {
-      "inertia_params", "inertia_properties", "children", "frames", "ref_frame", "couplings", "loops",  "independent",
-      "actuators",      "friction",           "spring",   "rotor",  "limits",    "at",        "sense",  "Frames",
-      "Transforms",     "Jacobians",          "Contacts", "Functions", "slide",  "turn",      "turn_x",    "turn_z", "slide_x",
-      "slide_y"};
+  static const std::set<std::string_view> alone = {"inertia_params", "inertia_properties",
+                                                   "children",       "frames",
+                                                   "ref_frame",      "couplings",
+                                                   "loops",          "independent",
+                                                   "actuators",      "friction",
+                                                   "spring",         "rotor",
+                                                   "limits",         "at",
+                                                   "sense",          "Frames",
+                                                   "Transforms",     "Jacobians",
+                                                   "Contacts",       "InverseKinematics",
+                                                   "Functions",      "slide",
+                                                   "turn",           "turn_x",
+                                                   "turn_z",         "slide_x",
+                                                   "slide_y"};
   static const std::set<std::string_view> named = {"Robot",   "Part",         "RobotBase", "link",
                                                    "r_joint", "p_joint",      "h_joint",   "c_joint",
                                                    "u_joint", "planar_joint", "s_joint",   "Params"};

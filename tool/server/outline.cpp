@@ -182,6 +182,7 @@ Json of_list(const language::desired::Document& list, const Outline& outline) {
   result.push_back(outline.symbol(list.robot, kModule, "robot", list.robot.span));
   pairs(list.transforms, "_X_", "transform");
   pairs(list.jacobians, "_J_", "Jacobian");
+  for (const auto& inverse : list.inverses) pairs({inverse.pair}, "_X_", "inverse kinematics");
   for (const auto& contact : list.contacts)
     result.push_back(
         outline.symbol(Name{text(contact.frame), contact.frame.span}, kNamespace, "contact", contact.frame.span));

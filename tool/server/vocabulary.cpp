@@ -74,11 +74,13 @@ const Words kOtherWordsOfRobots = {"as",    "at",    "mirrored", "x",    "y",   
 const std::vector<BlockWords>& block_words(Language language) {
   static const std::vector<BlockWords> robots = blocks_of_robots();
   static const std::vector<BlockWords> lists = {
-      {"", {"Robot", "Model", "Frames", "Transforms", "Jacobians", "Contacts", "Functions"}},
+      {"", {"Robot", "Model", "Frames", "Transforms", "Jacobians", "Contacts", "InverseKinematics", "Functions"}},
       {"Frames", {"for"}},
       {"Transforms", {"base", "target", "left", "right", "left_frame", "right_frame", "for"}},
       {"Jacobians", {"base", "target", "left", "right", "left_frame", "right_frame", "for"}},
       {"Contacts", {"point", "surface", "for"}},
+      {"InverseKinematics",
+       {"base", "target", "left", "right", "left_frame", "right_frame", "point", "axis", "given", "swivel", "for"}},
       {"Functions", {}}};
   static const std::vector<BlockWords> motions = {
       {"", {"Model", "Params", "Frames", "Convention"}},

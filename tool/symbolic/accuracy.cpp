@@ -177,6 +177,7 @@ AccurateResults::AccurateResults(const Program& program, std::vector<double> par
   results->parameters = std::move(parameters);
   const InStates<DoubleDouble> values(program, {program, inputs_of(program, results->parameters)});
   for (const OutputArray& array : program.outputs) {
+    if (array.role == Role::residual) continue;
     Results::Output& output = results->outputs.emplace_back();
     output.name = array.name;
     output.scale.fill(0.0);

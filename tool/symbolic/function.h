@@ -40,6 +40,7 @@ struct Function {
   std::string kernel = {};                  // `inverse_dynamics_external`; identifier, unique in the library
   std::vector<std::string> summary;         // documentation lines: what, frames, units, source
   std::vector<int> columns = {};            // jacobians: the coordinate of each column
+  std::vector<int> row_joints = {};         // inverse kinematics: the coordinate of each row
   std::vector<std::string> labels = {};     // regressors: what each column multiplies
   std::string left = {}, right = {};        // functions between two frames: their names
   int left_frame = -1, right_frame = -1;    // the same frames in the library

@@ -88,6 +88,7 @@ void for_each_operand(AnyStatement& s, F f) {
 // What the elements of an array mean. Back ends choose types by it and know nothing else about the algorithm.
 enum class Role {
   joint_position,           // rad or m
+  joint_reference,          // joint positions other than those of the robot: rad or m
   joint_sine,               // of joint positions, then of sums of joint positions
   joint_cosine,             // in the same order
   joint_velocity,           // rad/s or m/s
@@ -120,6 +121,7 @@ enum class Role {
   variables,                // of a document of transforms: m or rad
   contact_activity,         // one per contact: 1 if it holds, 0 if it is open
   contact_compliance,       // not negative
+  residual,                 // zero but for rounding, or where solutions meet: its digits do not count
   value,                    // anything else
 };
 
@@ -137,6 +139,11 @@ constexpr bool is_matrix(Role role) {
 }
 
 // Arrays of more than one column are stored column by column.
+// Whether an input is a square matrix, column by column.
+constexpr bool is_square_input(Role role) {
+  return role == Role::inertia_factor || role == Role::homogeneous;
+}
+
 struct InputArray {
   std::string name;
   Role role = Role::value;

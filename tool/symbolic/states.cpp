@@ -41,12 +41,25 @@ std::array<double, 4> unit_quaternion(std::uint64_t array, std::size_t first, st
   return q;
 }
 
+// The elements of a 4 x 4 matrix by columns from `begin` on: a pose.
+void set_pose(std::vector<Batch<double>>& inputs, std::size_t begin, std::uint64_t array, std::size_t state) {
+  const auto [w, x, y, z] = unit_quaternion(array, 0, state);
+  const std::array<double, 12> rotation = {
+      1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),     0.0,
+      2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),     0.0,
+      2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y), 0.0};
+  for (std::size_t k = 0; k < rotation.size(); ++k) inputs[begin + k].value[state] = rotation[k];
+  for (std::size_t k = 12; k < 15; ++k) inputs[begin + k].value[state] *= 0.25;
+  inputs[begin + 15].value[state] = 1.0;
+}
+
 // A value for an element with this role, from a number between -1 and 1.
 double value_of(Role role, double x) {
   switch (role) {
     case Role::parameters:
       return 1.0 + 0.25 * x;
     case Role::joint_position:
+    case Role::joint_reference:
       return 3.0 * x;
     case Role::gravity:
       return 10.0 * x;
@@ -74,6 +87,8 @@ std::vector<Batch<double>> inputs_of(const Program& program, const std::vector<d
       inputs.push_back(in_all_states<double>(
           [&](std::size_t s) { return is_given ? parameters[k] : value_of(array.role, number_of(name, k, s)); }));
     }
+    if (array.role == Role::homogeneous)
+      for (std::size_t s = 0; s < kStates; ++s) set_pose(inputs, begin, name, s);
     for (const int first : array.quaternions)
       for (std::size_t s = 0; s < kStates; ++s) {
         const std::array<double, 4> q = unit_quaternion(name, at(first), s);

@@ -13,6 +13,7 @@ struct RoleName {
 };
 inline constexpr std::array kRoles = {
     RoleName{Role::joint_position, "joint_position"},
+    RoleName{Role::joint_reference, "joint_reference"},
     RoleName{Role::joint_sine, "joint_sine"},
     RoleName{Role::joint_cosine, "joint_cosine"},
     RoleName{Role::joint_velocity, "joint_velocity"},
@@ -45,6 +46,7 @@ inline constexpr std::array kRoles = {
     RoleName{Role::variables, "variables"},
     RoleName{Role::contact_activity, "contact_activity"},
     RoleName{Role::contact_compliance, "contact_compliance"},
+    RoleName{Role::residual, "residual"},
     RoleName{Role::value, "value"}};
 
 struct OpName {

@@ -82,6 +82,8 @@ TEST_P(Declared, FunctionsHaveTheirInputsAndOutputs) {
   model::DesiredTransforms desired = robot.desired;
   const std::vector<model::Frame> frames = robot.tree.frames();
   desired.contacts = {{frames.back()}, {frames[1], true}};
+  using Kind = model::InverseTask::Kind;
+  desired.inverses = {{{frames.front(), frames.back()}, {Kind::point}}, {{frames.front(), frames[1]}, {Kind::pose}}};
   desired.transforms.resize(std::min<std::size_t>(desired.transforms.size(), 2));
   desired.jacobians.resize(std::min<std::size_t>(desired.jacobians.size(), 2));
   algorithm::FormulationChoices choices(robot.tree, algorithm::plain_formulation());

@@ -276,6 +276,35 @@ TEST_F(Load, ContactsThatCannotBe) {
   }
 }
 
+TEST_F(Load, InversesThatCannotBe) {
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_lower:line", "fr_base"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"wrong-inverse", "wrong-inverse"}));
+  EXPECT_EQ(
+      diagnostics.render().find(
+          "--inverse-kinematics:1:1: error: 'fr_base:fr_lower:line' does not say what to invert [wrong-inverse]"),
+      0U)
+      << diagnostics.render();
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_uper", "fr_base:fr_upper:given=wrist"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"unknown-inverse-frame", "unknown-given-joint"}));
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_lower", "fr_base:fr_lower:point"}}));
+  EXPECT_EQ(codes(Severity::error), Codes{"repeated-inverse"});
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.groups = {"inverse_kinematics"}}));
+  EXPECT_EQ(codes(Severity::error), Codes{"no-inverses"});
+  EXPECT_TRUE(try_load("rods.kindsl", kRods, {.groups = {"inverse_kinematics"}, .inverses = {"fr_base:fr_lower"}}));
+  // What has no closed form: no joint at all, a joint that is not between the frames, parameters.
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_base"}}));
+  EXPECT_EQ(codes(Severity::error), Codes{"no-closed-form"});
+  EXPECT_NE(
+      diagnostics.render().find("fr_base_X_fr_base has no inverse in closed form: no joint is between them"),
+      std::string::npos)
+      << diagnostics.render();
+  EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_upper:given=elbow"}}));
+  EXPECT_NE(diagnostics.render().find("joint 'elbow' is not between these frames"), std::string::npos);
+  const std::string with_length = replaced(kRods, "0.75, 0.0, 0.0) rot", "length, 0.0, 0.0) rot");
+  EXPECT_FALSE(try_load("rods.kindsl", with_length, {.inverses = {"fr_base:fr_lower"}}));
+  EXPECT_NE(diagnostics.render().find("the chain has parameters"), std::string::npos) << diagnostics.render();
+}
+
 TEST_F(Load, ParametersAreListedOnDemand) {
   const std::string text = replaced(kRods, "mass = 2.0", "mass = heavy[2.0]");
   ASSERT_TRUE(try_load("rods.kindsl", text));

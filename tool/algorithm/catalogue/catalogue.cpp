@@ -26,11 +26,19 @@ namespace catalogue {
 
 std::string prefix_of(const std::string& scope) {
   static const std::map<std::string, std::string> prefixes = {
-      {"inertia_factor", "inertia_factor_"},   {"transforms::homogeneous", "homogeneous_"},
-      {"transforms::motion", "motion_"},       {"transforms::force", "force_"},
-      {"jacobians::in_target", "in_target_"},  {"jacobians::spatial", "spatial_"},
-      {"jacobians::with_base", "with_base_"},  {"world", "in_world_"},
-      {"world::in_target", "world_in_target_"}};
+      {"inertia_factor", "inertia_factor_"},
+      {"transforms::homogeneous", "homogeneous_"},
+      {"transforms::motion", "motion_"},
+      {"transforms::force", "force_"},
+      {"jacobians::in_target", "in_target_"},
+      {"jacobians::spatial", "spatial_"},
+      {"jacobians::with_base", "with_base_"},
+      {"world", "in_world_"},
+      {"world::in_target", "world_in_target_"},
+      {"inverse_kinematics", "inverse_kinematics_"},
+      {"inverse_kinematics::branch", "inverse_kinematics_branch_"},
+      {"inverse_kinematics::configuration", "inverse_kinematics_configuration_"},
+      {"inverse_kinematics::redundancy", "inverse_kinematics_redundancy_"}};
   const auto prefix = prefixes.find(scope);
   return prefix == prefixes.end() ? "" : prefix->second;
 }
@@ -70,7 +78,8 @@ Tracing tracing_with(const Declared& function, FormulationChoices& choices, Load
   const auto& [is, subject, name, kernel, parts] = function;
   const bool is_of_model = is->program.search == Search::none || is->is_of_model;
   const KinematicTree& tree = is_of_model ? choices.model() : choices.tree();
-  return {{tree, subject.contacts, subject.frames, loads}, is->scope, kernel, std::move(choice), choices};
+  return {
+      {tree, subject.contacts, subject.frames, loads, {}, subject.task}, is->scope, kernel, std::move(choice), choices};
 }
 
 }  // namespace
@@ -88,7 +97,7 @@ Tracing tracing_of(const Declared& function, FormulationChoices& choices) {
 
 Tracing joined_tracing(const Declared& function, FormulationChoices& choices, const Formulation& given, Loads loads) {
   return {
-      {choices.tree(), function.subject.contacts, function.subject.frames, loads},
+      {choices.tree(), function.subject.contacts, function.subject.frames, loads, {}, function.subject.task},
       function.is->scope,
       function.kernel,
       {{}, given},
@@ -161,10 +170,22 @@ std::vector<FramePair> desired_frames(Of of, const KinematicTree& tree, const mo
       return desired.jacobians;
     case Of::placed_frame:
       return seen_from_base(tree, {&desired.transforms, &desired.jacobians}, desired.contacts);
+    case Of::inverse_pair: {
+      std::vector<FramePair> pairs;
+      for (const model::InverseTarget& target : desired.inverses) pairs.push_back(target.frames);
+      return pairs;
+    }
     case Of::moving_frame:
       break;
   }
   return seen_from_base(tree, {&desired.jacobians}, desired.contacts);
+}
+
+// A pair that is not desired has the default task.
+model::InverseTask task_of(const FramePair& frames, const std::vector<model::InverseTarget>& inverses) {
+  for (const model::InverseTarget& target : inverses)
+    if (target.frames == frames) return target.task;
+  return {};
 }
 
 std::vector<Loads> loads_of(const Declaration& declaration, const KinematicTree& tree) {
@@ -225,7 +246,7 @@ const std::vector<std::string>& groups_of_contacts() {
 
 const std::vector<std::string>& groups_between_frames() {
   static const std::vector<std::string> names =
-      groups_with([](Of of) { return of != Of::robot && of != Of::contacts; });
+      groups_with([](Of of) { return of != Of::robot && of != Of::contacts && of != Of::inverse_pair; });
   return names;
 }
 
@@ -249,6 +270,14 @@ bool is_of(const Declaration& declaration, const Subject& subject) {
       break;
   }
   return exists(declaration.exists, subject);
+}
+
+Subject subject_of(
+    const KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::vector<model::InverseTarget>& inverses,
+    const FramePair& frames) {
+  return {tree, contacts, frames, Loads::gravity, {}, task_of(frames, inverses)};
 }
 
 std::vector<Declared> overloads(const Declaration& declaration, const Subject& subject) {
@@ -283,7 +312,7 @@ std::vector<Declared> declared(
   for (const Declaration& declaration : declarations()) {
     if (declaration.group != group) continue;
     for (const FramePair& frames : desired_frames(declaration.of, tree, desired)) {
-      const Subject subject{tree, desired.contacts, frames};
+      const Subject subject = subject_of(tree, desired.contacts, desired.inverses, frames);
       if (!is_of(declaration, subject)) continue;
       for (Declared& function : overloads(declaration, subject)) list.push_back(std::move(function));
     }
@@ -326,6 +355,8 @@ symbolic::Function described(const Declared& function) {
   result.summary = summary_of(*is, subject);
   result.left = subject.frames.left.name;
   result.right = subject.frames.right.name;
+  if (is->signature.outputs.front().name == std::string("sin_q"))
+    result.row_joints = chain_coordinates(subject.tree, subject.frames);
   if (symbolic::is_jacobian(is->signature.outputs.front().role))
     result.columns = chain_coordinates(subject.tree, subject.frames);
   if (is->labels) result.labels = is->labels(subject);

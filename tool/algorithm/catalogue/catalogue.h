@@ -30,6 +30,13 @@ std::vector<Declared> declared(
 // The overloads of one function, whether the robot has it or not.
 std::vector<Declared> overloads(const Declaration& declaration, const Subject& subject);
 
+// What functions of these frames are declared for.
+Subject subject_of(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::vector<model::InverseTarget>& inverses,
+    const model::FramePair& frames);
+
 // Whether the robot has the function between these frames, desired or not.
 bool is_of(const Declaration& declaration, const Subject& subject);
 

@@ -9,6 +9,7 @@
 #include "algorithm/dynamics/contact_rows.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/world_frames.h"
+#include "algorithm/kinematics/inverse_kinematics.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "algorithm/search/choices.h"
 #include "model/kinematic_tree.h"
@@ -23,6 +24,7 @@ struct Subject {
   model::FramePair frames = {};  // of a function of one frame: the base and this frame
   Loads loads = Loads::gravity;
   std::optional<ForwardDynamicsMethod> method = {};  // of forward dynamics, once it is chosen
+  model::InverseTask task = {};                      // of inverse kinematics
 };
 
 using Condition = bool (*)(const Subject&);
@@ -52,6 +54,7 @@ enum class Of {
   transform_pair,  // each desired transform
   jacobian_pair,   // each desired Jacobian
   base_pair,       // each desired Jacobian whose left frame is on the base: from others, the base is seen to move
+  inverse_pair,    // each pair of frames of inverse kinematics
   placed_frame,    // each frame of desired transforms, Jacobians and contacts, except that of the base itself
   moving_frame,    // each frame of desired Jacobians and contacts that moves in the world
 };
@@ -162,6 +165,8 @@ decltype(auto) part(const Tracing& t) {
     return (t.frames.right);
   else if constexpr (std::is_same_v<T, std::string>)
     return (t.name);
+  else if constexpr (std::is_same_v<T, model::InverseTask>)
+    return (t.task);
   else if constexpr (std::is_same_v<T, Loads>)
     return (t.loads);
   else if constexpr (std::is_same_v<T, ForwardDynamicsChoice>)

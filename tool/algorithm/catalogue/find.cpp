@@ -37,17 +37,36 @@ std::string dotted(const std::string& scope, const std::string& name) {
   return scope.empty() ? name : replaced(scope, "::", ".") + "." + name;
 }
 
-std::vector<Declared> find_function(
+namespace {
+
+std::vector<Declared> found(
     const model::KinematicTree& tree,
     const ContactFrames& contacts,
+    const std::vector<model::InverseTarget>& inverses,
     const std::string& name) {
   for (const Declaration& declaration : declarations()) {
     const auto frames = frames_in(tree, dotted(declaration.scope, declaration.name), name);
     if (!frames || !is_available(tree, declaration.group)) continue;
-    const Subject subject{tree, contacts, *frames};
+    const Subject subject = subject_of(tree, contacts, inverses, *frames);
     if (is_of(declaration, subject)) return overloads(declaration, subject);
   }
   return {};
+}
+
+}  // namespace
+
+std::vector<Declared> find_function(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name) {
+  return found(tree, contacts, {}, name);
+}
+
+std::vector<Declared> find_function(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& name) {
+  return found(tree, desired.contacts, desired.inverses, name);
 }
 
 }  // namespace robcogen::algorithm

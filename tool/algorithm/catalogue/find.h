@@ -17,5 +17,10 @@ std::vector<Declared> find_function(
     const model::KinematicTree& tree,
     const ContactFrames& contacts,
     const std::string& name);
+// The same with the tasks of inverse kinematics of a list.
+std::vector<Declared> find_function(
+    const model::KinematicTree& tree,
+    const model::DesiredTransforms& desired,
+    const std::string& name);
 
 }  // namespace robcogen::algorithm

@@ -146,7 +146,7 @@ std::vector<std::vector<Declared>> fused_functions(
   for (const model::FusedFunction& function : desired.functions) {
     std::vector<std::vector<Declared>> parts;
     for (const model::FusedFunction::Part& part : function.parts) {
-      parts.push_back(find_function(tree, desired.contacts, part.function));
+      parts.push_back(find_function(tree, desired, part.function));
       if (parts.back().empty()) throw std::logic_error("no function '" + part.function + "'");
     }
     const Subject subject{tree, desired.contacts};

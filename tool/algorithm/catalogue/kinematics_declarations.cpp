@@ -54,6 +54,47 @@ std::optional<symbolic::Program> poses_in_world(const Tracing& t) {
   return world_transforms(t.tree, model::link_and_user_frames(t.tree), t.name);
 }
 
+InverseKinematicsSize size_of(const Subject& s) {
+  return inverse_kinematics_size(s.tree, s.frames, s.task);
+}
+bool is_inverted(const Subject& s) {
+  return size_of(s).branches > 0;
+}
+bool has_signs(const Subject& s) {
+  return size_of(s).signs > 0;
+}
+bool is_of_point(const Subject& s) {
+  return s.task.kind == model::InverseTask::Kind::point;
+}
+bool is_of_pose(const Subject& s) {
+  return !is_of_point(s);
+}
+int branches(const Subject& s) {
+  return size_of(s).branches;
+}
+int signs(const Subject& s) {
+  return size_of(s).signs;
+}
+int inverted_joints(const Subject& s) {
+  return size_of(s).joints;
+}
+
+bool is_by_swivel(const Subject& s) {
+  return s.task.by_swivel;
+}
+bool has_swivel(const Subject& s) {
+  return is_by_swivel(s) && is_inverted(s);
+}
+
+constexpr Array swivel = value("swivel", rows<1>, is_by_swivel);
+constexpr Array target_pose{"X", Role::homogeneous, rows<16>, nullptr, is_of_pose};
+constexpr Array target_point{"p", Role::position, rows<3>, nullptr, is_of_point};
+constexpr Array reference{"reference", Role::joint_reference, positions};
+
+constexpr Array residual(const char* name, Size rows) {
+  return {name, Role::residual, rows};
+}
+
 Array jacobian(Role role) {
   return {"J", role, rows<6>, chain};
 }
@@ -150,6 +191,51 @@ Declarations kinematics_declarations() {
          .signature = {{q, qd}, {{"a", Role::frame_bias_acceleration, rows<6>}}},
          .program = {by<jacobian_derivative_times_velocity>},
          .from_bias_forces = FromBiasForces{is_seen_from_fixed_base, bias_in_left<Role::frame_bias_acceleration>}}}},
+      {"inverse_kinematics",
+       {{.scope = "inverse_kinematics",
+         .name = "{A}_X_{B}",
+         .of = Of::inverse_pair,
+         .exists = is_inverted,
+         .summary =
+             {"Joint positions for {target of inverse}, in all branches: a column each. Rows: {chain}; sin_q of a "
+              "prismatic joint is its position (m), and its cos_q is 0. `misfit` (rad, m) is 0 but for rounding in a "
+              "branch that exists, and otherwise says by how much it misses; its positions are then the nearest of "
+              "their "
+              "equations. `determinant` is {determinant of inverse}. Joints without effect take the positions "
+              "`reference`.",
+              "{steps of inverse}"},
+         .signature =
+             {{target_pose, target_point, swivel, reference},
+              {matrix("sin_q", inverted_joints, branches), matrix("cos_q", inverted_joints, branches),
+               residual("misfit", branches), residual("determinant", branches)}},
+         .program = {by<inverse_kinematics>}},
+        {.scope = "inverse_kinematics::branch",
+         .name = "{A}_X_{B}",
+         .of = Of::inverse_pair,
+         .exists = has_signs,
+         .summary =
+             {"Joint positions for {target of inverse}, in the branch with these signs (1 or -1), which "
+              "inverse_kinematics::configuration returns; `misfit` and `determinant` as in all branches. Other joints "
+              "keep the positions `reference`, which joints without effect take too."},
+         .signature =
+             {{target_pose, target_point, swivel, value("signs", signs), reference},
+              {{"q", Role::joint_position, positions}, residual("misfit", rows<1>), residual("determinant", rows<1>)}},
+         .program = {by<inverse_kinematics_branch>}},
+        {.scope = "inverse_kinematics::configuration",
+         .name = "{A}_X_{B}",
+         .of = Of::inverse_pair,
+         .exists = has_signs,
+         .summary = {"The signs (1 or -1) of the branch of inverse_kinematics in which the joints are."},
+         .signature = {{q}, {value("signs", signs)}},
+         .program = {by<inverse_kinematics_configuration>}},
+        {.scope = "inverse_kinematics::redundancy",
+         .name = "{A}_X_{B}",
+         .of = Of::inverse_pair,
+         .exists = has_swivel,
+         .summary = {"The swivel angle (rad): how far the plane of shoulder, elbow and wrist is turned about the line "
+                     "from shoulder to wrist. It is undefined where this line is parallel to the first axis."},
+         .signature = {{q}, {value("swivel", rows<1>)}},
+         .program = {by<inverse_kinematics_redundancy>}}}},
       {"velocities",
        {{.scope = "velocities",
          .name = "{A}_V_{B}",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithm/catalogue/arrays.h"
+#include "algorithm/kinematics/inverse_kinematics.h"
 #include "algorithm/kinematics/loop_functions.h"
 #include "model/loops.h"
 #include "model/named_frame.h"
@@ -50,6 +51,49 @@ std::string coupled_joints(const Subject& s) {
   for (const model::Coupling& coupling : s.tree.couplings)
     if (!only_declared || is_declared(coupling)) names.push_back(s.tree.joints[at(coupling.joint)].name);
   return joined(names);
+}
+
+std::string chain_joints(const Subject& s) {
+  std::vector<std::string> names;
+  const std::vector<int> joints = s.tree.coordinates();
+  for (const int coordinate : chain_coordinates(s.tree, s.frames))
+    names.push_back(s.tree.joints[at(joints[at(coordinate)])].name);
+  return joined(names);
+}
+
+std::string target_of_inverse(const Subject& s) {
+  std::string text;
+  switch (s.task.kind) {
+    case model::InverseTask::Kind::pose:
+      text = "{A}_X_{B}, the pose of {B} in {A}";
+      break;
+    case model::InverseTask::Kind::point:
+      text = "the position p (m) of the origin of {B} in {A}";
+      break;
+    case model::InverseTask::Kind::orientation:
+      text = "{A}_X_{B}, of which the orientation of {B} counts";
+      break;
+    case model::InverseTask::Kind::axis:
+      text = "{A}_X_{B}, of which the origin and the z axis of {B} count";
+      break;
+  }
+  if (s.task.by_swivel) text += "; `swivel` (rad) is as inverse_kinematics::redundancy returns it";
+  if (s.task.given >= 0)
+    text += "; joint " + s.tree.joints[at(s.task.given)].name + " keeps its position in `reference`";
+  return filled(text, s);
+}
+
+std::string determinant_of_inverse(const Subject& s) {
+  return inverse_kinematics_size(s.tree, s.frames, s.task).has_determinant
+             ? "that of the Jacobian, with the sign of the branch"
+             : "the product of the roots of the equations: 0 where branches meet";
+}
+
+std::string steps_of_inverse(const Subject& s) {
+  std::string text = "Steps:";
+  for (const std::string& step : inverse_kinematics_steps(s.tree, s.frames, s.task)) text += " " + step + ";";
+  text.back() = '.';
+  return text;
 }
 
 // The chapter of the chosen algorithm.
@@ -97,6 +141,10 @@ constexpr std::array kPhrases = {
     Phrase{"declared couplings", coupled_joints<true>},
     Phrase{"rows of loops", list_of_rows},
     Phrase{"forces of loops", forces_of_loops},
+    Phrase{"chain", chain_joints},
+    Phrase{"target of inverse", target_of_inverse},
+    Phrase{"determinant of inverse", determinant_of_inverse},
+    Phrase{"steps of inverse", steps_of_inverse},
     Phrase{"actuators", [](const Subject& s) { return joined(model::names_of(s.tree.actuators)); }}};
 
 std::string text_of(const std::string& placeholder, const Subject& subject) {

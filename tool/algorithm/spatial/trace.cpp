@@ -90,11 +90,11 @@ std::vector<Expression> Trace::coordinate_input(const std::string& name, Role ro
   return input(name, role, std::move(names));
 }
 
-std::vector<Expression> Trace::position_input(const std::string& name) {
+std::vector<Expression> Trace::position_input(const std::string& name, Role role) {
   const std::vector<int> elements = tree.position_elements();
   std::vector<int> quaternions;
   for (const int first : tree.spherical_joints()) quaternions.push_back(elements[at(first)] - 1);
-  const std::vector<Expression> given = input(name, Role::joint_position, model::position_names(tree));
+  const std::vector<Expression> given = input(name, role, model::position_names(tree));
   inputs_.back().quaternions = quaternions;
   if (!quaternions.empty()) inputs_.back().quantities = position_quantities(tree, inputs_.back().elements);
   inputs_.back().followers = static_cast<int>(tree.followers_in_q().size());
@@ -106,7 +106,9 @@ std::vector<Expression> Trace::position_input(const std::string& name) {
 }
 
 std::vector<Expression> Trace::joint_input(const std::string& name, Role role) {
-  return by_joint(name, role, role == Role::joint_position ? position_input(name) : coordinate_input(name, role));
+  if (role != Role::joint_position && role != Role::joint_reference)
+    return by_joint(name, role, coordinate_input(name, role));
+  return by_joint(name, Role::joint_position, position_input(name, role));
 }
 
 std::vector<Expression> Trace::by_joint(

@@ -81,9 +81,9 @@ class Trace : public ProgramTrace {
 
   // An input with one element per coordinate.
   std::vector<Expression> coordinate_input(const std::string& name, symbolic::Role role);
-  // Positions, velocities or accelerations of all joints, from an input of those of the coordinates. Positions are
-  // followed by the scalar parts of the quaternions of spherical joints; the components of these joints have the other
-  // parts.
+  // Positions, references, velocities or accelerations of all joints, from an input of those of the coordinates.
+  // Positions are followed by the scalar parts of the quaternions of spherical joints; the components of these joints
+  // have the other parts.
   std::vector<Expression> joint_input(const std::string& name, symbolic::Role role);
   // The same, from values of the coordinates.
   std::vector<Expression> by_joint(
@@ -123,7 +123,7 @@ class Trace : public ProgramTrace {
   std::vector<symbolic::Rate> motion_of_positions(const std::vector<Expression>& qd);
   void follow(std::size_t closure, symbolic::Role role, std::vector<Expression>& joints);
   // Positions by coordinate, then the scalar parts of quaternions, then dependent joints in q.
-  std::vector<Expression> position_input(const std::string& name);
+  std::vector<Expression> position_input(const std::string& name, symbolic::Role role);
 };
 
 }  // namespace robcogen::algorithm

@@ -12,6 +12,8 @@ using symbolic::Role;
 
 std::string meaning(Role role) {
   switch (role) {
+    case Role::joint_reference:
+      return "joint positions (rad, m) where any would do";
     case Role::joint_position:
       return "joint positions (rad, m)";
     case Role::joint_velocity:
@@ -85,8 +87,8 @@ std::string meaning_of_positions(const Library& library) {
 }
 
 bool is_of_joints(Role role) {
-  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
-         role == Role::joint_force;
+  return role == Role::joint_position || role == Role::joint_reference || role == Role::joint_velocity ||
+         role == Role::joint_acceleration || role == Role::joint_force;
 }
 
 bool is_matrix(const symbolic::OutputArray& output) {
@@ -133,7 +135,9 @@ std::vector<std::string> describe_arrays(
   std::vector<std::string> lines;
   for (const symbolic::InputArray& input : program.inputs) {
     const std::string& name = names[lines.size()];
-    const std::string elements = input.role == Role::inertia_factor ? "L, column by column" : describe_elements(input);
+    const std::string elements = input.role == Role::inertia_factor ? "L, column by column"
+                                 : input.role == Role::homogeneous  ? "4 x 4, column by column"
+                                                                    : describe_elements(input);
     if (input.role == Role::parameters)
       lines.push_back(
           name + (has_cache ? ": values that depend on the parameters, computed before" : ": the parameters"));

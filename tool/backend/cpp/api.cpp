@@ -42,8 +42,8 @@ std::vector<std::string> enumerators(const std::vector<std::string>& names) {
 }
 
 bool is_joint_array(Role role) {
-  return role == Role::joint_position || role == Role::joint_velocity || role == Role::joint_acceleration ||
-         role == Role::joint_force;
+  return role == Role::joint_position || role == Role::joint_reference || role == Role::joint_velocity ||
+         role == Role::joint_acceleration || role == Role::joint_force;
 }
 
 // The alias in types.h for a role that has one.
@@ -227,8 +227,9 @@ Api api(const Library& library) {
     const bool jacobian = !f.program.outputs.empty() && symbolic::is_jacobian(f.program.outputs.front().role);
     const auto listed = [&](const Callable& c) { return c.name == name && c.function->scope == f.scope; };
     const auto first = std::find_if(result.callables.begin(), result.callables.end(), listed);
-    const bool is_listed = first == result.callables.end() && (jacobian || !f.labels.empty());
-    const std::string columns = is_listed ? taken[f.scope].claim(name + "_columns") : "";
+    const bool is_listed = first == result.callables.end() && (jacobian || !f.labels.empty() || !f.row_joints.empty());
+    const std::string columns =
+        is_listed ? taken[f.scope].claim(name + (f.row_joints.empty() ? "_columns" : "_joints")) : "";
     result.callables.push_back(callable(f, kernel_names[i], name, columns, owner(f.program)));
   }
   for (const Function& f : library.right_sides) result.right_sides.push_back(callable(f, f.kernel, f.name));
@@ -247,8 +248,9 @@ std::string matrix_type(int rows, int columns) {
 }
 
 std::string type_of(const InputArray& input) {
-  const bool is_of_joints = input.role == Role::joint_position;
+  const bool is_of_joints = input.role == Role::joint_position || input.role == Role::joint_reference;
   if (is_of_joints && (!input.quaternions.empty() || input.followers > 0)) return "JointPositions";
+  if (input.role == Role::homogeneous) return matrix_type(4, 4);
   const std::string name = alias(input.role);
   return name.empty() ? matrix_type(static_cast<int>(input.elements.size()), 1) : name;
 }

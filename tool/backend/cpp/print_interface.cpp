@@ -117,7 +117,8 @@ std::string columns_constant(const Api& api, const Callable& callable) {
         "inline constexpr std::array<const char*, " + std::to_string(labels.size()) + "> " + callable.columns, labels);
   }
   std::vector<std::string> joints;
-  for (int joint : callable.function->columns)
+  const Function& f = *callable.function;
+  for (int joint : f.row_joints.empty() ? f.columns : f.row_joints)
     joints.push_back("Joint::" + api.joints[static_cast<std::size_t>(joint)]);
   return numbered_list(
       "inline constexpr std::array<Joint, " + std::to_string(joints.size()) + "> " + callable.columns, joints);

@@ -65,7 +65,7 @@ std::string check(const std::string& function, const InputArray& input, const Ke
   const std::string head = label + "\", " + name + ", ";
   if (input.role == Role::link_wrenches)
     return "  " + name + " = $vectors(" + head + std::to_string(input.elements.size() / 6) + ", 6);\n";
-  if (input.role == Role::inertia_factor)
+  if (symbolic::is_square_input(input.role))
     return "  " + name + " = $columns(" + head + std::to_string(side(input)) + ");\n";
   std::string text = "  $vector(" + head + std::to_string(input.elements.size()) + ");\n";
   for (const int first : input.quaternions) text += "  $quaternion(" + head + std::to_string(first) + ");\n";
@@ -82,9 +82,10 @@ std::string parameter_line(const Library& library, const InputArray& input, cons
     type = "ArrayLike<number>[]";
     what = "wrench on each link (N m, N), " + std::to_string(library.tree.link_count()) +
            " arrays of 6, base first: about the link's origin in link coordinates, moment first";
-  } else if (input.role == Role::inertia_factor) {
+  } else if (symbolic::is_square_input(input.role)) {
     type = "number[][]";
-    what = std::to_string(side(input)) + " rows: factor of the inertia matrix H = L^T L";
+    what = std::to_string(side(input)) + " rows: " +
+           (input.role == Role::homogeneous ? "homogeneous transform" : "factor of the inertia matrix H = L^T L");
   } else {
     what = size + (input.elements.size() == 1 ? " number" : " numbers") + (what.empty() ? "" : ": " + what);
     const bool differs = model::has_own_positions(library.tree) && is_of_joints(input.role);

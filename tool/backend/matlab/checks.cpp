@@ -33,7 +33,7 @@ std::vector<Argument> arguments(const std::vector<InputArray>& inputs, const Ker
     if (a.role == Role::link_wrenches) {
       a.columns = a.rows / 6;
       a.rows = 6;
-    } else if (a.role == Role::inertia_factor) {
+    } else if (symbolic::is_square_input(a.role)) {
       a.rows = a.columns = static_cast<int>(std::lround(std::sqrt(a.rows)));
     }
     result.push_back(std::move(a));

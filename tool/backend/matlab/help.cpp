@@ -89,7 +89,7 @@ std::string describe_arguments(const std::vector<InputArray>& inputs, const Kern
     if (i >= required) what += default_of(input);
     if (input.role == Role::link_wrenches) {
       text += line(name, 6, size / 6, what);
-    } else if (input.role == Role::inertia_factor) {
+    } else if (symbolic::is_square_input(input.role)) {
       const int rows = side(input);
       text += line(name, rows, rows, what);
     } else if (input.role == Role::parameters) {

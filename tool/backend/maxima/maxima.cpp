@@ -90,6 +90,7 @@ std::string comment(const std::vector<std::string>& lines, const std::string& ma
 }
 
 std::string describe(const InputArray& array, const std::string& name) {
+  if (array.role == Role::homogeneous) return name + ": column by column, apply(append, args(transpose(X)))";
   if (array.role == Role::inertia_factor) return name + ": column by column, apply(append, args(transpose(L)))";
   const std::string elements = describe_elements(array);
   if (array.role == Role::link_wrenches) return name + ": " + elements;

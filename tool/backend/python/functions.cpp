@@ -30,7 +30,7 @@ Array argument(const cpp::Api& api, const InputArray& input, const std::string& 
     a.columns = 6;
     a.is_by_rows = true;
     a.meaning = "external wrench on each link (N m, N) about its origin in its coordinates, moment first, base first";
-  } else if (input.role == Role::inertia_factor) {
+  } else if (symbolic::is_square_input(input.role)) {
     a.rank = 2;
     a.rows = a.columns = static_cast<int>(std::lround(std::sqrt(size)));
   }

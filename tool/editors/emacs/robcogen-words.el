@@ -102,10 +102,14 @@
 (defconst robcogen-dtdsl-words
   '("Contacts"
     "Functions"
+    "InverseKinematics"
+    "axis"
     "for"
+    "given"
     "in"
     "point"
-    "surface"))
+    "surface"
+    "swivel"))
 
 (defconst robcogen-motdsl-keywords
   '("Model"

@@ -49,6 +49,14 @@ struct Function {
   std::vector<Name> parts;  // with their scopes
 };
 
+// A pair whose transform is inverted: for joint positions at which it has a given value.
+struct Inverse {
+  enum class Task { pose, point, axis, given, swivel };
+  Pair pair;
+  Task task = Task::pose;
+  Name given = {};  // the joint whose position is an argument
+};
+
 struct Document {
   std::shared_ptr<const Source> source;
   Name robot;
@@ -58,6 +66,7 @@ struct Document {
   std::vector<Pair> jacobians;
   std::vector<Contact> contacts;
   std::vector<Function> functions;
+  std::vector<Inverse> inverses;
   std::vector<std::string> comments;
 };
 
@@ -72,6 +81,7 @@ std::string print(const Document& document);
 int loop_of(const Name& name);
 int loop_of(const Pair& pair);
 int loop_of(const Contact& contact);
+int loop_of(const Inverse& inverse);
 
 // Whether the content is the same; places may differ.
 bool equal(const Document& a, const Document& b);

@@ -47,7 +47,7 @@ bool read_header(Cursor& cursor, Name& robot) {
         .hint = "list pairs of frames in 'Transforms { … }' and 'Jacobians { … }'";
     throw OtherLanguage{};
   }
-  cursor.unexpected("'Frames', 'Transforms', 'Jacobians', 'Contacts' or 'Functions'", "");
+  cursor.unexpected("'Frames', 'Transforms', 'Jacobians', 'Contacts', 'InverseKinematics' or 'Functions'", "");
 }
 
 // Takes the word that begins a section and adds it to those found. A document has at most one section of each kind.

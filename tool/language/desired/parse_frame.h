@@ -9,10 +9,10 @@
 
 namespace robcogen::language::desired {
 
-const std::initializer_list<std::string_view> kSections = {
-    "Frames", "Transforms", "Jacobians", "Contacts", "Functions"};
+const std::initializer_list<std::string_view> kSections = {"Frames",   "Transforms",        "Jacobians",
+                                                           "Contacts", "InverseKinematics", "Functions"};
 
-// 'Contacts' and 'Functions' are not reserved words: a frame may have these names.
+// 'Contacts', 'InverseKinematics' and 'Functions' are not reserved words: frames may have these names.
 bool at_section_word(const Cursor& cursor);
 bool at_section(const Cursor& cursor);
 // Whether the cursor is at the name of an instance, followed by a point.

@@ -62,8 +62,31 @@ Contact read_contact(Cursor& cursor, int loop) {
   return {read_frame(cursor, loop), is_surface};
 }
 
-// Parses pairs, like read_list.
-void read_pairs(const Section& section, const Token& open, int loop, std::vector<Pair>& pairs) {
+bool at_task(const Cursor& cursor, std::size_t offset) {
+  const auto at = [&](std::string_view word) { return cursor.at(word, offset); };
+  const auto is_frame = [&](std::string_view next) { return cursor.at(next, offset + 1); };
+  return (at("point") || at("axis") || at("given") || at("swivel")) && !is_frame("->") && !is_frame("<-") &&
+         !is_frame(".");
+}
+
+// Parses what follows a pair: nothing, `point`, `axis`, `swivel` or `given J7`.
+Inverse read_inverse(Cursor& cursor, Pair pair) {
+  Inverse inverse{std::move(pair)};
+  if (cursor.at(",") && at_task(cursor, 1)) cursor.take();
+  if (!at_task(cursor, 0)) return inverse;
+  const std::string_view task = cursor.take().text;
+  inverse.task = task == "point"    ? Inverse::Task::point
+                 : task == "axis"   ? Inverse::Task::axis
+                 : task == "swivel" ? Inverse::Task::swivel
+                                    : Inverse::Task::given;
+  if (inverse.task == Inverse::Task::given) inverse.given = read_name(cursor, "the name of a joint");
+  inverse.pair.span.end = cursor.previous().span.end;
+  return inverse;
+}
+
+// Parses pairs, like read_list, calling add(pair) behind each.
+template <class Add>
+void read_pairs(const Section& section, const Token& open, int loop, const Add& add) {
   Cursor& cursor = section.cursor;
   const std::size_t inside = cursor.open_blocks();
   while (!cursor.at("}")) {
@@ -74,9 +97,9 @@ void read_pairs(const Section& section, const Token& open, int loop, std::vector
       if (at_section(cursor)) section.report_missing_brace(open);
       if (at_loop(cursor)) {
         const Token inner = section.add_loop(loop, "a pair of frames");
-        read_pairs(section, inner, section.last_loop(), pairs);
+        read_pairs(section, inner, section.last_loop(), add);
       } else {
-        pairs.push_back(pair.read());
+        add(pair.read());
       }
     } catch (const SyntaxError&) {
       pair.skip_to_next(inside);
@@ -118,8 +141,14 @@ void read_section(Cursor& cursor, const Token& word, Document& document) {
     read_list(section, open, Name::kNoLoop, [&](int loop) { document.contacts.push_back(read_contact(cursor, loop)); });
   else if (word.text == "Functions")
     read_functions(section, open, document.functions);
+  else if (word.text == "InverseKinematics")
+    read_pairs(section, open, Name::kNoLoop, [&](Pair pair) {
+      document.inverses.push_back(read_inverse(cursor, std::move(pair)));
+    });
   else
-    read_pairs(section, open, Name::kNoLoop, word.text == "Transforms" ? document.transforms : document.jacobians);
+    read_pairs(section, open, Name::kNoLoop, [&](Pair pair) {
+      (word.text == "Transforms" ? document.transforms : document.jacobians).push_back(std::move(pair));
+    });
 }
 
 }  // namespace robcogen::language::desired

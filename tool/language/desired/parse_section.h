@@ -1,5 +1,5 @@
 // Parses the sections `Frames { … }`, `Transforms { … }`, `Jacobians { … }`, `Contacts { … }` and
-// `Functions { … }`.
+// `InverseKinematics { … }` and `Functions { … }`.
 #pragma once
 
 #include "language/desired/parse_frame.h"

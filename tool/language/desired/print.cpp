@@ -52,9 +52,33 @@ std::string lines(const std::vector<T>& list, const std::vector<Loop>& loops, co
   return out;
 }
 
+std::string sides(const Pair& p) {
+  return "base = " + frame(p.left) + ", target = " + frame(p.right);
+}
+
 std::string pairs(const char* section, const std::vector<Pair>& list, const std::vector<Loop>& loops) {
-  const auto line = [](const Pair& p) { return "base = " + frame(p.left) + ", target = " + frame(p.right); };
-  return std::string(section) + " {\n" + lines(list, loops, "", line) + "}\n";
+  return std::string(section) + " {\n" + lines(list, loops, "", sides) + "}\n";
+}
+
+std::string task(const Inverse& i) {
+  switch (i.task) {
+    case Inverse::Task::pose:
+      return "";
+    case Inverse::Task::point:
+      return ", point";
+    case Inverse::Task::axis:
+      return ", axis";
+    case Inverse::Task::swivel:
+      return ", swivel";
+    case Inverse::Task::given:
+      break;
+  }
+  return ", given " + name(i.given);
+}
+
+std::string inverses(const Document& d) {
+  const auto line = [](const Inverse& i) { return sides(i.pair) + task(i); };
+  return "InverseKinematics {\n" + lines(d.inverses, d.loops, "", line) + "}\n";
 }
 
 std::string contacts(const Document& d) {
@@ -89,6 +113,10 @@ bool same(const Contact& a, const Contact& b) {
   return same(a.frame, b.frame) && a.is_surface == b.is_surface;
 }
 
+bool same(const Inverse& a, const Inverse& b) {
+  return same(a.pair, b.pair) && a.task == b.task && a.given.text == b.given.text;
+}
+
 bool same(const Loop& a, const Loop& b);
 bool same(const Function& a, const Function& b);
 
@@ -116,6 +144,9 @@ int loop_of(const Pair& pair) {
 int loop_of(const Contact& contact) {
   return contact.frame.loop;
 }
+int loop_of(const Inverse& inverse) {
+  return loop_of(inverse.pair);
+}
 
 std::string print(const Document& d) {
   std::string out;
@@ -124,6 +155,7 @@ std::string print(const Document& d) {
   out += pairs("Transforms", d.transforms, d.loops);
   if (!d.jacobians.empty()) out += "\n" + pairs("Jacobians", d.jacobians, d.loops);
   if (!d.contacts.empty()) out += "\n" + contacts(d);
+  if (!d.inverses.empty()) out += "\n" + inverses(d);
   if (!d.functions.empty()) out += "\n" + functions(d);
   return out;
 }
@@ -131,7 +163,8 @@ std::string print(const Document& d) {
 bool equal(const Document& a, const Document& b) {
   return same(a.robot, b.robot) && all_same(a.loops, b.loops) && all_same(a.frames, b.frames) &&
          all_same(a.transforms, b.transforms) && all_same(a.jacobians, b.jacobians) &&
-         all_same(a.contacts, b.contacts) && all_same(a.functions, b.functions) && a.comments == b.comments;
+         all_same(a.contacts, b.contacts) && all_same(a.inverses, b.inverses) && all_same(a.functions, b.functions) &&
+         a.comments == b.comments;
 }
 
 }  // namespace robcogen::language::desired

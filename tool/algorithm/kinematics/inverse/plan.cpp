@@ -1,0 +1,456 @@
+#include "algorithm/kinematics/inverse/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "algorithm/kinematics/inverse/probes.h"
+#include "algorithm/kinematics/inverse/swivel.h"
+
+namespace robcogen::algorithm::inversion {
+namespace {
+
+using symbolic::Node;
+using symbolic::Op;
+
+// How many orders are kept for each set of found joints, and steps for each joint.
+constexpr std::size_t kOrders = 20, kSteps = 8;
+// A root that differs by more is not the joint's position.
+constexpr double kSameRoot = 1e-6;
+
+int weight(const Graph& graph, std::size_t mark) {
+  int sum = 0;
+  for (std::size_t i = mark; i < graph.nodes().size(); ++i) {
+    const Node& n = graph.nodes()[i];
+    if (n.kind != Node::Kind::operation) continue;
+    switch (n.op) {
+      case Op::divide:
+      case Op::square_root:
+        sum += 5;
+        break;
+      case Op::sine:
+      case Op::cosine:
+        sum += 10;
+        break;
+      default:
+        ++sum;
+    }
+  }
+  return sum;
+}
+
+// A graph whose inputs are a target, references, and sines and cosines of joints, with numbers for them.
+class Laboratory {
+ public:
+  explicit Laboratory(const SerialChain& chain) : chain_(chain) {
+    graph.forget_names();
+    int element = 0;
+    if (chain.task.kind == model::InverseTask::Kind::point)
+      for (std::size_t k = 0; k < 3; ++k) target.rotation[k][k] = graph.one();
+    else
+      for (Vector3& row : target.rotation.row)
+        for (std::size_t k = 0; k < 3; ++k) row[k] = graph.input(element++);
+    for (std::size_t k = 0; k < 3; ++k) target.position[k] = graph.input(element++);
+    for (int k = 0; k < chain.joints; ++k) references.push_back(graph.input(element++));
+    for (int k = 0; k < chain.joints; ++k) {
+      const Expression sine = graph.input(element++), cosine = graph.input(element++);
+      joints.push_back({sine, chain.axis(k).turns ? cosine : graph.one()});
+    }
+  }
+
+  Graph graph;
+  Target target;
+  std::vector<Expression> references;
+  std::vector<JointValue> joints;
+
+  // Numbers for one state after the other.
+  void set(std::size_t state, const NumberPose& pose, const std::vector<double>& q) {
+    const std::vector<SineCosine> values = sines_cosines(chain_, q);
+    std::size_t element = 0;
+    const auto next = [&](double value) {
+      if (inputs.size() <= element) inputs.emplace_back();
+      inputs[element++][state] = value;
+    };
+    if (chain_.task.kind != model::InverseTask::Kind::point)
+      for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t c = 0; c < 3; ++c) next(pose.rotation[c][r]);
+    for (const double x : pose.position) next(x);
+    for (const double position : q) next(position);
+    for (const SineCosine& value : values) next(value.sine), next(value.cosine);
+  }
+  std::vector<ProbeValues> inputs;
+
+  JointValues given() const {
+    JointValues values(chain_.axes.size());
+    if (chain_.given >= 0) values[at(chain_.given)] = joints[at(chain_.given)];
+    return values;
+  }
+
+ private:
+  const SerialChain& chain_;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Search
+
+struct Order {
+  int roots = 0;
+  double cost = 0.0;
+  std::vector<Step> steps;
+};
+
+bool is_cheaper(const Order& a, const Order& b) {
+  return a.roots != b.roots ? a.roots < b.roots : a.cost < b.cost;
+}
+
+class PlanSearch {
+ public:
+  explicit PlanSearch(const SerialChain& chain)
+      : chain_(chain),
+        features_(features_of(chain).all),
+        lab_(chain),
+        solver_(lab_.graph, chain, lab_.target, lab_.references) {
+    Random random(1);
+    for (std::size_t state = 0; state < kProbes; ++state) {
+      q_.push_back(random_positions(chain, random, false));
+      values_.push_back(sines_cosines(chain, q_.back()));
+      lab_.set(state, pose(chain, values_.back()), q_.back());
+    }
+    probes_ = std::make_unique<Probes>(lab_.graph, lab_.inputs);
+  }
+
+  // All orders that were kept, or the joints that are found.
+  std::vector<Order> orders(Known& found) {
+    Known start(chain_.axes.size());
+    if (chain_.given >= 0) start[at(chain_.given)] = true;
+    std::map<Known, std::vector<Order>> layer = {{start, {Order()}}};
+    for (int depth = static_cast<int>(std::count(start.begin(), start.end(), true)); depth < chain_.joints; ++depth) {
+      std::map<Known, std::vector<Order>> next;
+      for (const auto& [known, orders] : layer) extend(known, orders, next);
+      if (next.empty()) {
+        found = layer.begin()->first;
+        return {};
+      }
+      for (auto& [known, orders] : next) {
+        std::stable_sort(orders.begin(), orders.end(), is_cheaper);
+        if (orders.size() > kOrders) orders.resize(kOrders);
+      }
+      layer = std::move(next);
+    }
+    found = layer.begin()->first;
+    return layer.begin()->second;
+  }
+
+ private:
+  const SerialChain& chain_;
+  std::vector<Feature> features_;
+  Laboratory lab_;
+  StepSolver solver_;
+  std::vector<std::vector<double>> q_;  // by state
+  std::vector<std::vector<SineCosine>> values_;
+  std::unique_ptr<Probes> probes_;
+
+  void extend(const Known& known, const std::vector<Order>& orders, std::map<Known, std::vector<Order>>& next) {
+    std::map<std::pair<int, bool>, std::vector<std::pair<int, Step>>> found;
+    for (Step& step : possible_steps(chain_, features_, known))
+      if (const auto cost = cost_of(step, known)) {
+        const std::pair<int, bool> kind = {step.joint, step.has_two_roots(chain_)};
+        found[kind].emplace_back(*cost, std::move(step));
+      }
+    for (auto& [kind, steps] : found) {
+      const auto& [joint, has_two_roots] = kind;
+      std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      if (steps.size() > kSteps) steps.resize(kSteps);
+      Known then = known;
+      then[at(joint)] = true;
+      std::vector<Order>& list = next[then];
+      for (const auto& [cost, step] : steps)
+        for (const Order& order : orders) {
+          Order& longer = list.emplace_back(order);
+          longer.roots += has_two_roots ? 1 : 0;
+          longer.cost += cost * static_cast<double>(1 << order.roots);
+          longer.steps.push_back(step);
+        }
+    }
+  }
+
+  // nullopt if the step does not find the joint.
+  std::optional<int> cost_of(const Step& step, const Known& known) {
+    JointValues values(chain_.axes.size());
+    for (int k = 0; k < chain_.joints; ++k)
+      if (known[at(k)]) values[at(k)] = lab_.joints[at(k)];
+    const std::size_t mark = lab_.graph.mark();
+    ProbeValues best;
+    best.fill(10.0);
+    bool is_solved = true;
+    for (const double sign : {1.0, -1.0}) {
+      const auto found = solver_.solve(step, values, lab_.graph.constant(sign));
+      is_solved = is_solved && found;
+      if (!is_solved) break;
+      const ProbeValues sine = (*probes_)(found->value.sine), cosine = (*probes_)(found->value.cosine);
+      for (std::size_t state = 0; state < kProbes; ++state) {
+        const SineCosine& expected = values_[state][at(step.joint)];
+        const double error = std::hypot(sine[state] - expected.sine, cosine[state] - expected.cosine);
+        if (error < best[state]) best[state] = error;  // not if it is NaN
+      }
+      if (!step.has_two_roots(chain_)) break;
+    }
+    const int cost = weight(lab_.graph, mark);
+    lab_.graph.rollback(mark);
+    probes_->forget(mark);
+    const bool is_right = std::all_of(best.begin(), best.end(), [](double error) { return error < kSameRoot; });
+    return is_solved && is_right ? std::optional<int>(cost) : std::nullopt;
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Comparison of complete plans
+
+// Which vector steps need no square root, because lengths agree for targets in and out of reach, also near the axes.
+std::vector<bool> lengths_that_agree(const SerialChain& chain, const std::vector<Step>& steps) {
+  Laboratory lab(chain);
+  StepSolver solver(lab.graph, chain, lab.target, lab.references);
+  branches(lab.graph, solver, chain, steps, lab.given());
+  std::vector<bool> agree(chain.axes.size(), true);
+  Random random(3);
+  for (int round = 0; round < 4; ++round) {
+    for (std::size_t state = 0; state < kProbes; ++state) {
+      const std::vector<double> q = random_positions(chain, random, false);
+      NumberPose target = pose(chain, sines_cosines(chain, random_positions(chain, random, false)));
+      const double size = std::pow(10.0, random.uniform(-4.0, 1.0));
+      for (double& x : target.position) x = size * random.uniform(-1.0, 1.0);
+      lab.set(state, target, q);
+    }
+    Probes probes(lab.graph, lab.inputs);
+    for (const StepSolver::Lengths& lengths : solver.lengths()) {
+      const ProbeValues a = probes(lengths.a), b = probes(lengths.b);
+      for (std::size_t state = 0; state < kProbes; ++state)
+        if (!(std::abs(a[state] - b[state]) <= 1e-12 + 1e-9 * std::abs(b[state]))) agree[at(lengths.joint)] = false;
+    }
+  }
+  return agree;
+}
+
+double determinant(std::vector<std::vector<double>> m) {
+  double result = 1.0;
+  for (std::size_t k = 0; k < m.size(); ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < m.size(); ++i)
+      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+    if (pivot != k) result = -result;
+    std::swap(m[k], m[pivot]);
+    result *= m[k][k];
+    if (m[k][k] == 0.0) return 0.0;
+    for (std::size_t i = k + 1; i < m.size(); ++i)
+      for (std::size_t c = m.size(); c-- > k;) m[i][c] -= m[i][k] / m[k][k] * m[k][c];
+  }
+  return result;
+}
+
+// Of the Jacobian of a pose by six joints, or of a point by three, not counting given joints; zero for others.
+double determinant_of_jacobian(const SerialChain& chain, const std::vector<SineCosine>& q) {
+  const bool is_of_point = chain.task.kind == model::InverseTask::Kind::point;
+  const std::size_t rows = is_of_point ? 3 : 6;
+  NumberPose end = pose(chain, q);
+  std::vector<std::vector<double>> columns;
+  for (int k = 0; k < chain.joints; ++k) {
+    if (k == chain.given) continue;
+    // The axis where the joints before it have moved it.
+    SerialChain before = chain;
+    before.joints = k;
+    before.rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    before.position = chain.axis(k).point;
+    const NumberPose frame = pose(before, q);
+    const Numbers3 direction = frame.rotation * chain.axis(k).direction;
+    const bool turns = chain.axis(k).turns;
+    const Numbers3 angular = turns ? direction : Numbers3{};
+    const Numbers3 linear = turns ? cross(direction, end.position - frame.position) : direction;
+    std::vector<double> column(linear.begin(), linear.end());
+    if (!is_of_point) column.insert(column.begin(), angular.begin(), angular.end());
+    columns.push_back(std::move(column));
+  }
+  return columns.size() == rows && chain.task.kind != model::InverseTask::Kind::axis ? determinant(columns) : 0.0;
+}
+
+// A plan, traced and measured.
+class Trial {
+ public:
+  Trial(const SerialChain& chain, std::vector<Step> steps) : chain_(chain), lab_(chain) {
+    plan_.chain = chain;
+    plan_.lengths_agree = lengths_that_agree(chain, steps);
+    plan_.steps = std::move(steps);
+    StepSolver solver(lab_.graph, chain, lab_.target, lab_.references, plan_.lengths_agree);
+    const std::size_t mark = lab_.graph.mark();
+    branches_ = branches(lab_.graph, solver, chain, plan_.steps, lab_.given());
+    cost_ = weight(lab_.graph, mark);
+  }
+
+  // The largest error of the best branch, at random and at special positions.
+  double error() {
+    double largest = 0.0;
+    Random random(5);
+    constexpr int kRounds = 24;
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<NumberPose> targets;
+      for (std::size_t state = 0; state < kProbes; ++state) {
+        const std::vector<double> q = random_positions(chain_, random, round % 2 == 1);
+        targets.push_back(pose(chain_, sines_cosines(chain_, q)));
+        lab_.set(state, targets.back(), q);
+      }
+      Probes probes(lab_.graph, lab_.inputs);
+      ProbeValues least;
+      least.fill(10.0);
+      for (const Branch& branch : branches_) {
+        const auto found = numbers_of(branch, probes);
+        for (std::size_t state = 0; state < kProbes; ++state) {
+          const double error = task_error(chain_, pose(chain_, found[state]), targets[state]);
+          if (error < least[state]) least[state] = error;  // not if it is NaN
+        }
+      }
+      largest = std::max(largest, *std::max_element(least.begin(), least.end()));
+    }
+    return largest;
+  }
+
+  int cost() const { return cost_; }
+
+  // With the factor between roots and determinant.
+  Plan plan() {
+    Random random(7);
+    std::vector<std::vector<double>> positions;
+    for (std::size_t state = 0; state < kProbes; ++state) {
+      positions.push_back(random_positions(chain_, random, false));
+      lab_.set(state, pose(chain_, sines_cosines(chain_, positions.back())), positions.back());
+    }
+    Probes probes(lab_.graph, lab_.inputs);
+    std::vector<double> ratios;
+    for (const Branch& branch : branches_) {
+      const ProbeValues misfit = probes(branch.misfit), product = probes(branch.product);
+      const auto found = numbers_of(branch, probes);
+      for (std::size_t state = 0; state < kProbes; ++state)
+        if (std::abs(misfit[state]) < 1e-9)
+          ratios.push_back(determinant_of_jacobian(chain_, found[state]) / product[state]);
+    }
+    plan_.determinant_per_root = ratios.empty() ? 0.0 : ratios.front();
+    for (const double ratio : ratios)
+      if (!(std::abs(ratio - plan_.determinant_per_root) <= 1e-6 * std::abs(ratio))) plan_.determinant_per_root = 0.0;
+    return plan_;
+  }
+
+ private:
+  const SerialChain& chain_;
+  Laboratory lab_;
+  Plan plan_;
+  std::vector<Branch> branches_;
+  int cost_ = 0;
+
+  // By state.
+  std::vector<std::vector<SineCosine>> numbers_of(const Branch& branch, Probes& probes) const {
+    std::vector<std::vector<SineCosine>> result(kProbes);
+    for (int k = 0; k < chain_.joints; ++k) {
+      const JointValue& value = *branch.values[at(k)];
+      const ProbeValues sine = probes(value.sine), cosine = probes(value.cosine);
+      for (std::size_t state = 0; state < kProbes; ++state) result[state].push_back({sine[state], cosine[state]});
+    }
+    return result;
+  }
+};
+
+// Digits count in pairs, down to rounding.
+int class_of(double error) {
+  constexpr double kGood = 1e-13;
+  return static_cast<int>(std::ceil(std::log10(std::max(error, kGood)) / 2.0 + 7.0));
+}
+
+// What a search depends on.
+std::vector<double> numbers_of(const SerialChain& chain) {
+  std::vector<double> numbers = {
+      static_cast<double>(chain.joints), static_cast<double>(chain.given), static_cast<double>(chain.task.kind),
+      chain.task.by_swivel ? 1.0 : 0.0};
+  const auto add = [&](const Numbers3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
+  for (const ChainAxis& axis : chain.axes) {
+    numbers.push_back(axis.turns ? 1.0 : 0.0);
+    add(axis.direction);
+    add(axis.point);
+  }
+  for (const Numbers3& column : chain.rotation) add(column);
+  add(chain.position);
+  return numbers;
+}
+
+}  // namespace
+
+int Plan::roots() const {
+  return static_cast<int>(
+      std::count_if(steps.begin(), steps.end(), [&](const Step& step) { return step.has_two_roots(chain); }));
+}
+
+std::vector<Branch> branches(
+    Graph& graph,
+    StepSolver& solver,
+    const SerialChain& chain,
+    const std::vector<Step>& steps,
+    const JointValues& given,
+    const std::vector<Expression>* signs) {
+  std::vector<Branch> list = {{given, {}, graph.one()}};
+  std::size_t root = 0;
+  for (const Step& step : steps) {
+    graph.begin_section("joint " + describe(chain, step), chain.axis(step.joint).name);
+    std::vector<Expression> of_step = {graph.one()};
+    if (step.has_two_roots(chain)) {
+      if (signs)
+        of_step = {(*signs)[root++]};
+      else
+        of_step.push_back(graph.constant(-1.0));
+    }
+    std::vector<Branch> longer;
+    for (const Branch& branch : list)
+      for (const Expression& sign : of_step) {
+        const auto found = solver.solve(step, branch.values, sign);
+        if (!found) return {};
+        Branch& next = longer.emplace_back(branch);
+        next.values[at(step.joint)] = found->value;
+        next.misfit += found->misfit;
+        if (step.has_two_roots(chain)) next.product = next.product * found->root;
+      }
+    list = std::move(longer);
+  }
+  return list;
+}
+
+Search search(const SerialChain& chain) {
+  Search result{{}, chain, {}};
+  if (chain.task.by_swivel) {
+    if (std::optional<SwivelPlan> plan = swivel_plan(chain))
+      result.swivel = std::make_shared<const SwivelPlan>(*std::move(plan));
+    return result;
+  }
+  std::vector<Order> orders = PlanSearch(chain).orders(result.found);
+  std::optional<std::pair<int, int>> best;
+  for (Order& order : orders) {
+    if (order.roots > orders.front().roots) break;
+    Trial trial(chain, std::move(order.steps));
+    const std::pair<int, int> measure = {class_of(trial.error()), trial.cost()};
+    if (best && !(measure < *best)) continue;
+    best = measure;
+    result.plan = trial.plan();
+  }
+  return result;
+}
+
+const Search& search(const model::KinematicTree& tree, const model::FramePair& frames, const model::InverseTask& task) {
+  static std::mutex mutex;
+  static std::map<std::pair<std::vector<double>, std::string>, std::unique_ptr<const Search>> known;
+  const SerialChain chain = serial_chain(tree, frames, task);
+  std::string joints;
+  for (const ChainAxis& axis : chain.axes) joints += std::to_string(axis.joint) + " " + axis.name + " ";
+  const std::scoped_lock lock(mutex);
+  std::unique_ptr<const Search>& found = known[{numbers_of(chain), joints}];
+  if (!found) found = std::make_unique<const Search>(search(chain));
+  return *found;
+}
+
+}  // namespace robcogen::algorithm::inversion

@@ -1,0 +1,181 @@
+#include "algorithm/kinematics/inverse/serial_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithm/kinematics/path.h"
+
+namespace robcogen::algorithm::inversion {
+namespace {
+
+using model::PrimitiveTransform;
+
+constexpr NumberMatrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+// Numbers that differ from these by rounding fold in programs.
+double snapped(double x) {
+  constexpr double kRounding = 1e-13;
+  static const double known[] = {0.0, 1.0, 0.5, std::sqrt(0.5), std::sqrt(0.75)};
+  for (const double value : known)
+    if (std::abs(std::abs(x) - value) < kRounding) return std::copysign(value, value == 0.0 ? 1.0 : x);
+  return x;
+}
+
+Numbers3 snapped(const Numbers3& v) {
+  return {snapped(v[0]), snapped(v[1]), snapped(v[2])};
+}
+
+// Rotation about a unit axis (Rodrigues).
+Numbers3 turned(const Numbers3& v, const Numbers3& h, const SineCosine& a) {
+  return a.cosine * v + a.sine * cross(h, v) + ((1.0 - a.cosine) * dot(h, v)) * h;
+}
+
+void move(NumberPose& here, const PrimitiveTransform& primitive) {
+  const auto axis = static_cast<std::size_t>(primitive.axis);
+  const double amount = model::evaluate(primitive.amount);
+  if (!primitive.rotation) {
+    here.position = here.position + amount * here.rotation[axis];
+    return;
+  }
+  // Exact for multiples of a quarter turn.
+  const SineCosine angle = {model::evaluate(sin(primitive.amount)), model::evaluate(cos(primitive.amount))};
+  const Numbers3 h = here.rotation[axis];
+  for (Numbers3& column : here.rotation) column = turned(column, h, angle);
+}
+
+bool depends_on_parameters(const PrimitiveTransform& primitive) {
+  return !model::parameters_of(primitive.amount).empty();
+}
+
+void add_freedoms(SerialChain& chain) {
+  const auto add = [&](bool turns, const Numbers3& direction) {
+    chain.axes.push_back(
+        {-1, turns, direction, chain.position, "free" + std::to_string(chain.size() - chain.joints + 1)});
+  };
+  switch (chain.task.kind) {
+    case model::InverseTask::Kind::pose:
+      break;
+    case model::InverseTask::Kind::point:
+      for (const Numbers3& e : kIdentity) add(true, e);
+      break;
+    case model::InverseTask::Kind::axis:
+      add(true, snapped(chain.rotation[2]));
+      break;
+    case model::InverseTask::Kind::orientation:
+      for (const Numbers3& e : kIdentity) add(false, e);
+      break;
+  }
+}
+
+}  // namespace
+
+Numbers3 operator+(const Numbers3& a, const Numbers3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+Numbers3 operator*(double k, const Numbers3& a) {
+  return {k * a[0], k * a[1], k * a[2]};
+}
+
+Numbers3 operator*(const NumberMatrix& columns, const Numbers3& a) {
+  return a[0] * columns[0] + a[1] * columns[1] + a[2] * columns[2];
+}
+
+Numbers3 without_rounding(const SerialChain& chain, Numbers3 x) {
+  constexpr double kRounding = 1e-13 / kSameDirection;
+  for (double& element : x)
+    if (std::abs(element) < kRounding * chain.same_point) element = 0.0;
+  return x;
+}
+
+bool are_parallel(const Numbers3& a, const Numbers3& b) {
+  return norm(cross(a, b)) < kSameDirection;
+}
+
+std::string obstacle(const model::KinematicTree& tree, const model::FramePair& frames) {
+  std::vector<int> passed;
+  for (const PathSegment& segment : path_between(tree, frames)) {
+    for (const PrimitiveTransform& primitive : segment.primitives)
+      if (depends_on_parameters(primitive)) return "the chain has parameters";
+    for (const JointOnPath& on_path : segment.joints) {
+      const model::Joint& joint = tree.joints[at(on_path.joint)];
+      const std::string name = "joint '" + joint.declared_name() + "'";
+      if (joint.type == model::JointType::helical) return name + " is helical";
+      if (joint.type == model::JointType::spherical) return name + " is spherical";
+      if (tree.coupling_of(on_path.joint)) return name + " follows other joints";
+      passed.push_back(on_path.joint);
+    }
+  }
+  return passed.empty() ? "no joint is between them" : "";
+}
+
+SerialChain serial_chain(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const model::InverseTask& task) {
+  SerialChain chain;
+  chain.task = task;
+  NumberPose here{kIdentity, {}};
+  for (const PathSegment& segment : path_between(tree, frames)) {
+    const std::size_t constant = segment.primitives.size() - segment.joints.size();
+    for (std::size_t k = 0; k < constant; ++k) move(here, segment.primitives[k]);
+    for (const auto& [joint, backward] : segment.joints) {
+      if (joint == task.given) chain.given = chain.size();
+      chain.axes.push_back(
+          {joint, model::turns(tree.joints[at(joint)].type),
+           snapped(backward ? -1.0 * here.rotation[2] : here.rotation[2]), here.position,
+           tree.joints[at(joint)].declared_name()});
+    }
+  }
+  chain.joints = chain.size();
+  for (std::size_t k = 0; k < 3; ++k) chain.rotation[k] = snapped(here.rotation[k]);
+  chain.position = here.position;
+  double reach = norm(chain.position - chain.axes.back().point);
+  for (std::size_t k = 1; k < chain.axes.size(); ++k) reach += norm(chain.axes[k].point - chain.axes[k - 1].point);
+  chain.same_point *= std::max(reach, 1.0);
+  // The point of an axis that is nearest to the origin has few elements other than zero.
+  for (ChainAxis& axis : chain.axes)
+    axis.point = without_rounding(chain, axis.point - dot(axis.direction, axis.point) * axis.direction);
+  add_freedoms(chain);
+  return chain;
+}
+
+SerialChain orientation_chain(const SerialChain& chain, int begin, int end) {
+  SerialChain part = chain;
+  part.axes.assign(chain.axes.begin() + begin, chain.axes.begin() + end);
+  part.joints = end - begin;
+  part.rotation = kIdentity;
+  part.position = {};
+  part.task = {model::InverseTask::Kind::orientation};
+  part.given = -1;
+  add_freedoms(part);
+  return part;
+}
+
+NumberPose pose(const SerialChain& chain, const std::vector<SineCosine>& joints) {
+  NumberPose result{chain.rotation, chain.position};
+  for (int k = chain.joints; k-- > 0;) {
+    const ChainAxis& axis = chain.axis(k);
+    const SineCosine& joint = joints[at(k)];
+    if (!axis.turns) {
+      result.position = result.position + joint.sine * axis.direction;
+      continue;
+    }
+    for (Numbers3& column : result.rotation) column = turned(column, axis.direction, joint);
+    result.position = axis.point + turned(result.position - axis.point, axis.direction, joint);
+  }
+  return result;
+}
+
+double task_error(const SerialChain& chain, const NumberPose& a, const NumberPose& b) {
+  const double displacement = norm(a.position - b.position);
+  if (chain.task.kind == model::InverseTask::Kind::point) return displacement;
+  if (chain.task.kind == model::InverseTask::Kind::axis)
+    return std::max(displacement, norm(a.rotation[2] - b.rotation[2]));
+  double square = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) square += dot(a.rotation[k] - b.rotation[k], a.rotation[k] - b.rotation[k]);
+  const double turn = std::sqrt(square / 2.0);
+  return chain.task.kind == model::InverseTask::Kind::orientation ? turn : std::max(displacement, turn);
+}
+
+}  // namespace robcogen::algorithm::inversion

@@ -1,0 +1,110 @@
+// What inverse kinematics says about a chain.
+#include "algorithm/kinematics/inverse/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithm/kinematics/inverse/swivel.h"
+
+namespace robcogen::algorithm::inversion {
+namespace {
+
+using Kind = Feature::Kind;
+
+constexpr const char* kAnyChain = "damped steps serve any chain: <robcogen/generic/inverse_kinematics.h>";
+
+// `J4, J5 and J6`
+std::string list(const std::vector<std::string>& names) {
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+std::vector<std::string> turning(const SerialChain& chain, const Feature& f) {
+  std::vector<std::string> names;
+  for (int k = f.begin; k < std::min(f.end, chain.joints); ++k)
+    if (chain.axis(k).turns) names.push_back(chain.axis(k).name);
+  return names;
+}
+
+int coordinates(const model::InverseTask& task) {
+  switch (task.kind) {
+    case model::InverseTask::Kind::point:
+      return 3;
+    case model::InverseTask::Kind::axis:
+      return 5;
+    case model::InverseTask::Kind::orientation:
+      return 3;
+    default:
+      return 6;
+  }
+}
+
+// `0.3 mm`
+std::string length(double metres) {
+  return metres < 1e-3 ? fmt::format("{:.3g} um", metres * 1e6) : fmt::format("{:.3g} mm", metres * 1e3);
+}
+
+// Neighbours that almost meet or are almost parallel.
+std::string near_misses(const SerialChain& chain) {
+  constexpr double kNear = 1e-3;  // rad, or m for a chain that reaches one metre
+  std::string text;
+  for (int k = 1; k < chain.joints; ++k) {
+    const ChainAxis &a = chain.axis(k - 1), &b = chain.axis(k);
+    if (!a.turns || !b.turns) continue;
+    const double sine = norm(cross(a.direction, b.direction));
+    if (sine >= kSameDirection && sine < kNear)
+      text += fmt::format("; the axes of {} and {} are {:.3g} rad from being parallel", a.name, b.name, sine);
+    if (sine < kNear) continue;
+    const double distance = gap(a, b);
+    if (distance > chain.same_point && distance < kNear / kSameDirection * chain.same_point)
+      text += fmt::format("; the axis of {} misses that of {} by {}", b.name, a.name, length(distance));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string describe_axes(const SerialChain& chain) {
+  std::vector<std::string> words;
+  for (const Feature& f : features_of(chain).maximal) {
+    const std::vector<std::string> names = turning(chain, f);
+    if (names.size() < 2 || f.kind == Kind::plane) continue;
+    const std::string text = fmt::format(
+        "{} {}", list(names), f.kind == Kind::point ? (names.size() > 2 ? "meet in a point" : "meet") : "are parallel");
+    if (std::find(words.begin(), words.end(), text) == words.end()) words.push_back(text);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+Explanation explain(const Search& search, const std::vector<std::string>& arguments) {
+  const SerialChain& chain = search.chain;
+  if (search.plan || search.swivel) {
+    const std::string axes = describe_axes(chain);
+    const int count = search.plan ? search.plan->branches() : search.swivel->branches();
+    return {fmt::format("{} branch{}{}", count, count == 1 ? "" : "es", axes.empty() ? "" : "; axes: " + axes), ""};
+  }
+  if (chain.task.by_swivel)
+    return {
+        "a swivel angle needs seven joints: the axes of the first three meet, those of the last three meet, and the "
+        "fourth is across the line between both points",
+        kAnyChain};
+  const int needed = coordinates(chain.task), free = chain.joints - (chain.given >= 0 ? 1 : 0);
+  if (free > needed)
+    return {
+        fmt::format("{} joints for {} coordinates", free, needed),
+        arguments.empty() ? kAnyChain : fmt::format("closed forms exist with {}", list(arguments))};
+  std::vector<std::string> found, others;
+  for (int k = 0; k < chain.joints; ++k)
+    if (k != chain.given) (search.found[at(k)] ? found : others).push_back(chain.axis(k).name);
+  const std::string follow = found.empty() ? "" : list(found) + (found.size() == 1 ? " follows, " : " follow, ");
+  const std::string misses = near_misses(chain);
+  return {
+      fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
+      misses.empty() ? kAnyChain
+                     : "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF"};
+}
+
+}  // namespace robcogen::algorithm::inversion

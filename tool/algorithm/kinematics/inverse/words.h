@@ -1,0 +1,21 @@
+// What inverse kinematics says about a chain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithm/kinematics/inverse/plan.h"
+
+namespace robcogen::algorithm::inversion {
+
+// `J1 and J2 meet, J4, J5 and J6 meet in a point, J2 and J3 are parallel`
+std::string describe_axes(const SerialChain& chain);
+
+// `8 branches; axes: …`, or why there is no closed form, with a hint. `arguments` are words for arguments with which
+// the chain has one: `'given J7'`, `'swivel'`.
+struct Explanation {
+  std::string reason, hint;
+};
+Explanation explain(const Search& search, const std::vector<std::string>& arguments);
+
+}  // namespace robcogen::algorithm::inversion

@@ -1,0 +1,278 @@
+#include "algorithm/kinematics/inverse_kinematics.h"
+
+#include <optional>
+#include <utility>
+
+#include "algorithm/kinematics/inverse/swivel.h"
+#include "algorithm/kinematics/inverse/words.h"
+#include "algorithm/spatial/trace.h"
+
+namespace robcogen::algorithm {
+namespace {
+
+using inversion::Branch;
+using inversion::JointValue;
+using inversion::Plan;
+using model::InverseTask;
+using symbolic::Program;
+using symbolic::Role;
+
+// The joints to which signs belong.
+std::vector<std::string> sign_names(const inversion::Search& found) {
+  if (found.swivel) return found.swivel->sign_names();
+  std::vector<std::string> names;
+  for (const inversion::Step& step : found.plan->steps)
+    if (step.has_two_roots(found.chain)) names.push_back(found.chain.axis(step.joint).name);
+  return names;
+}
+
+// A solver in the trace of a function, with its inputs.
+class Inversion {
+ public:
+  Inversion(const model::KinematicTree& tree, const model::FramePair& frames, const InverseTask& task)
+      : trace(tree), found(inversion::search(tree, frames, task)), chain(found.chain) {}
+
+  Trace trace;
+  const inversion::Search& found;
+  const inversion::SerialChain& chain;
+  Expression swivel;
+  std::vector<Expression> reference;  // by joint of the robot
+  inversion::Target target;
+  inversion::JointValues given;
+
+  void target_input() {
+    if (chain.task.kind == InverseTask::Kind::point) {
+      for (std::size_t k = 0; k < 3; ++k) target.rotation[k][k] = trace.graph.one();
+      target.position = trace.vector_input("p", Role::position);
+      return;
+    }
+    std::vector<std::string> elements;
+    for (const char column : {'x', 'y', 'z', 'p'})
+      for (const char row : {'x', 'y', 'z', 'w'}) elements.push_back({row, column});
+    const std::vector<Expression> X = trace.input("X", Role::homogeneous, elements);
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) target.rotation[row][column] = X[4 * column + row];
+      target.position[row] = X[12 + row];
+    }
+  }
+
+  void swivel_input() {
+    if (chain.task.by_swivel) swivel = trace.input("swivel", Role::value, {"swivel"}).front();
+  }
+
+  void reference_input() {
+    reference = trace.joint_input("reference", Role::joint_reference);
+    given.resize(chain.axes.size());
+    if (chain.given >= 0) given[at(chain.given)] = value_of(chain.given, reference);
+  }
+
+  // `q` by joint of the robot.
+  JointValue value_of(int k, const std::vector<Expression>& q) {
+    const Expression& position = q[at(chain.axis(k).joint)];
+    if (!chain.axis(k).turns) return {position, trace.graph.one()};
+    return {sin(position), cos(position)};
+  }
+
+  std::vector<Branch> branches(const std::vector<Expression>* signs) {
+    if (found.swivel)
+      return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
+    inversion::StepSolver s = solver();
+    std::vector<Branch> list = inversion::branches(trace.graph, s, chain, found.plan->steps, given, signs);
+    for (Branch& branch : list) branch.misfit += remaining_misfit(branch);
+    return list;
+  }
+
+  Expression determinant(const Branch& branch) {
+    const double factor = found.plan ? found.plan->determinant_per_root : 0.0;
+    return factor == 0.0 ? branch.product : trace.graph.constant(factor) * branch.product;
+  }
+
+  // The roots at known positions.
+  std::vector<Expression> roots(const inversion::JointValues& values) {
+    if (found.swivel) return inversion::swivel_roots(trace.graph, *found.swivel, references(), values);
+    std::vector<Expression> result;
+    const inversion::StepSolver s = solver();
+    for (const inversion::Step& step : found.plan->steps) {
+      if (!step.has_two_roots(chain)) continue;
+      trace.section(chain.axis(step.joint).name, "joint " + describe(chain, step));
+      result.push_back(s.root(step, values));
+    }
+    return result;
+  }
+
+ private:
+  std::vector<Expression> references() {
+    std::vector<Expression> of_chain;
+    for (int k = 0; k < chain.joints; ++k) of_chain.push_back(reference[at(chain.axis(k).joint)]);
+    return of_chain;
+  }
+
+  inversion::StepSolver solver() { return {trace.graph, chain, target, references(), found.plan->lengths_agree}; }
+
+  // A chain with fewer joints than the task has coordinates misses some targets though every equation has a solution:
+  // the difference of the poses tells which.
+  Expression remaining_misfit(const Branch& branch) {
+    const int coordinates = chain.task.kind == InverseTask::Kind::pose    ? 6
+                            : chain.task.kind == InverseTask::Kind::point ? 3
+                                                                          : 5;
+    if (chain.joints - (chain.given >= 0 ? 1 : 0) >= coordinates) return {};
+    trace.graph.begin_section("pose of the branch", "end");
+    const auto constant = [&](const inversion::Numbers3& v) {
+      return Vector3{trace.graph.constant(v[0]), trace.graph.constant(v[1]), trace.graph.constant(v[2])};
+    };
+    Expression squares;
+    const inversion::StepSolver s = solver();
+    const Vector3 end = s.moved(constant(chain.position), false, branch.values) - target.position;
+    squares += dot(end, end);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (chain.task.kind == InverseTask::Kind::point || (chain.task.kind == InverseTask::Kind::axis && k < 2))
+        continue;
+      const Vector3 column = {target.rotation[0][k], target.rotation[1][k], target.rotation[2][k]};
+      const Vector3 difference = s.moved(constant(chain.rotation[k]), true, branch.values) - column;
+      squares += dot(difference, difference);
+    }
+    return sqrt(squares);
+  }
+};
+
+}  // namespace
+
+InverseKinematicsSize inverse_kinematics_size(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task) {
+  if (!inversion::obstacle(tree, frames).empty()) return {};
+  const inversion::Search& found = inversion::search(tree, frames, task);
+  const int joints = found.chain.joints;
+  if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
+  const std::optional<Plan>& plan = found.plan;
+  if (!plan) return {};
+  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0};
+}
+
+Program inverse_kinematics(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task,
+    const std::string& name) {
+  Inversion inversion(tree, frames, task);
+  Trace& trace = inversion.trace;
+  inversion.target_input();
+  inversion.swivel_input();
+  inversion.reference_input();
+  std::vector<Expression> misfit, determinant;
+  Columns sines, cosines;
+  for (const Branch& branch : inversion.branches(nullptr)) {
+    std::vector<Expression>&s = sines.emplace_back(), &c = cosines.emplace_back();
+    for (int k = 0; k < inversion.chain.joints; ++k) {
+      s.push_back(branch.values[at(k)]->sine);
+      c.push_back(inversion.chain.axis(k).turns ? branch.values[at(k)]->cosine : Expression());
+    }
+    misfit.push_back(branch.misfit);
+    determinant.push_back(inversion.determinant(branch));
+  }
+  trace.output("sin_q", Role::matrix, inversion.chain.joints, sines);
+  trace.output("cos_q", Role::matrix, inversion.chain.joints, cosines);
+  trace.output("misfit", Role::residual, misfit);
+  trace.output("determinant", Role::residual, determinant);
+  return trace.program(name);
+}
+
+Program inverse_kinematics_branch(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task,
+    const std::string& name) {
+  Inversion inversion(tree, frames, task);
+  Trace& trace = inversion.trace;
+  inversion.target_input();
+  inversion.swivel_input();
+  const std::vector<Expression> signs = trace.input("signs", Role::value, sign_names(inversion.found));
+  inversion.reference_input();
+  const Branch branch = inversion.branches(&signs).front();
+  trace.section("q", "positions");
+  std::vector<Expression> q = inversion.reference;
+  for (int k = 0; k < inversion.chain.joints; ++k) {
+    const JointValue& value = *branch.values[at(k)];
+    if (k == inversion.chain.given) continue;
+    q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
+  }
+  trace.output("q", Role::joint_position, trace.positions(q));
+  trace.output("misfit", Role::residual, std::vector<Expression>{branch.misfit});
+  trace.output("determinant", Role::residual, std::vector<Expression>{inversion.determinant(branch)});
+  return trace.program(name);
+}
+
+Program inverse_kinematics_configuration(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task,
+    const std::string& name) {
+  Inversion inversion(tree, frames, task);
+  Trace& trace = inversion.trace;
+  inversion.reference = trace.joint_input("q", Role::joint_position);
+  inversion::JointValues values(inversion.chain.axes.size());
+  for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, inversion.reference);
+  std::vector<Expression> signs;
+  for (const Expression& root : inversion.roots(values)) {
+    // The sign, as a number: positive where the roots meet.
+    const Expression shifted = root + trace.graph.constant(0x1p-100);
+    signs.push_back(shifted / sqrt(shifted * shifted));
+  }
+  trace.output("signs", Role::value, signs);
+  return trace.program(name);
+}
+
+Program inverse_kinematics_redundancy(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task,
+    const std::string& name) {
+  Inversion inversion(tree, frames, task);
+  Trace& trace = inversion.trace;
+  const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
+  inversion::JointValues values(inversion.chain.axes.size());
+  for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, q);
+  trace.section("swivel", "swivel angle");
+  trace.output(
+      "swivel", Role::value,
+      std::vector<Expression>{inversion::swivel_of(trace.graph, *inversion.found.swivel, values)});
+  return trace.program(name);
+}
+
+std::vector<std::string> inverse_kinematics_steps(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task) {
+  const inversion::Search& found = inversion::search(tree, frames, task);
+  if (found.swivel) return found.swivel->lines();
+  std::vector<std::string> lines;
+  for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
+  return lines;
+}
+
+InverseKinematicsReport report_inverse_kinematics(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    const InverseTask& task) {
+  const std::string obstacle = inversion::obstacle(tree, frames);
+  if (!obstacle.empty()) return {false, obstacle, ""};
+  const inversion::Search& search = inversion::search(tree, frames, task);
+  if (task.given >= 0 && search.chain.given < 0)
+    return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
+  std::vector<std::string> arguments;
+  if (!search.plan && !task.by_swivel && task.given < 0) {
+    InverseTask other = task;
+    for (int k = 0; k < search.chain.joints; ++k) {
+      other.given = search.chain.axis(k).joint;
+      if (inversion::search(tree, frames, other).plan) arguments.push_back("'given " + search.chain.axis(k).name + "'");
+    }
+    other = task;
+    other.by_swivel = true;
+    if (inversion::search(tree, frames, other).swivel) arguments.emplace_back("'swivel'");
+  }
+  inversion::Explanation explanation = explain(search, arguments);
+  return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};
+}
+
+}  // namespace robcogen::algorithm
