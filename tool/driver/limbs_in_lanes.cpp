@@ -108,12 +108,17 @@ class LanesOfFunction {
   }
 };
 
-// By function: whether it is the first one with its search for link frames.
+algorithm::Search search_of(const Function& function) {
+  return function.is_stage ? algorithm::Search::none : function.declared->is->program.search;
+}
+
+// By function: whether it is the first one with its search for link frames. Parts of fused functions may differ in it.
 std::vector<bool> are_first_of_search(const std::vector<Function>& functions) {
   std::vector<bool> result;
   std::set<algorithm::Search> known;
   for (const Function& function : functions)
-    result.push_back(!function.is_stage && known.insert(function.declared->is->program.search).second);
+    result.push_back(
+        !function.is_stage && (!function.declared->parts.empty() || known.insert(search_of(function)).second));
   return result;
 }
 
@@ -143,11 +148,10 @@ Functions pack_lanes(const Robot& robot, Functions functions, Formulations& form
   });
   std::set<algorithm::Search> searches;
   for (std::size_t i = 0; i < lost.size(); ++i)
-    if (lost[i]) searches.insert(functions.list[i].declared->is->program.search);
+    if (lost[i]) searches.insert(search_of(functions.list[i]));
   for_each_index(functions.list.size(), [&](std::size_t i) {
     Function& function = functions.list[i];
-    if (is_first[i]) return;
-    pack(function, !function.is_stage && searches.count(function.declared->is->program.search) > 0);
+    if (!is_first[i]) pack(function, searches.count(search_of(function)) > 0);
   });
   return functions;
 }
