@@ -20,6 +20,14 @@ namespace {
 
 using symbolic::Program;
 
+// A program with lanes.
+struct InLanes {
+  pass::Packed packed;
+  int time = 0;
+  std::string method;  // how it is computed
+  bool is_searched = true;
+};
+
 class LanesOfFunction {
  public:
   LanesOfFunction(
@@ -39,20 +47,17 @@ class LanesOfFunction {
   // The fastest program with lanes that keeps the digits of the plain formulation; nullopt if there is none that is
   // clearly faster than the program without lanes. Programs without searched link frames are candidates too, if the
   // others are to be compared with them or lose digits.
-  std::optional<pass::Packed> choose(bool compares) {
-    add(function_.program);
+  std::optional<InLanes> choose(bool compares) {
+    add(function_.program, function_.method, true);
     const bool has_others = function_.results && !has_parameters_;
     if (has_others && function_.is_first_choice) add_congruent(Formulated::for_lanes);
     const bool is_searched = has_others && has_formulation(function_) && formulations_.are_searched();
     if (is_searched && compares) add_unsearched();
-    std::optional<pass::Packed> best = fastest();
+    std::optional<InLanes> best = fastest();
     if (best || compares || !is_searched) return best;
     add_unsearched();
     return fastest();
   }
-
-  // Whether the chosen program has no searched link frames.
-  bool prefers_unsearched() const { return prefers_unsearched_; }
 
   // Why there is no such program; empty if no two congruent limbs take part.
   std::string reason() const {
@@ -67,43 +72,36 @@ class LanesOfFunction {
   const bool has_parameters_;
   const int time_;
   std::vector<pass::InputTuples> classes_;
-  struct Found {
-    pass::Packed packed;
-    int time = 0;
-    bool is_searched = true;
-  };
-  std::vector<Found> found_;
-  bool prefers_unsearched_ = false;
+  std::vector<InLanes> found_;
 
-  void add(const Program& program, bool is_searched = true) {
+  void add(const Program& program, const std::string& method, bool is_searched) {
     std::optional<pass::Packed> packed = pass::pack_lanes_within(program, classes_, time_);
     if (!packed) return;
     const int time = predicted_time(packed->program);
-    found_.push_back({std::move(*packed), time, is_searched});
+    found_.push_back({std::move(*packed), time, method, is_searched});
   }
 
   // Adds the program of a formulation in which congruent limbs fold in the same way, if it is a different program.
   bool add_congruent(Formulated formulated) {
     algorithm::FormulationChoices& choices = formulations_.of(formulated);
     if (!algorithm::may_fold_like_others(*function_.declared, choices)) return false;
-    Program program = traced(function_, choices).program;
-    if (!algorithm::folds_like_others(program)) return false;
-    add(pass::with_plain_numbers(pass::run(std::move(program), passes_)), formulated == Formulated::for_lanes);
+    symbolic::Function other = traced(function_, choices);
+    if (!algorithm::folds_like_others(other.program)) return false;
+    const Program program = pass::with_plain_numbers(pass::run(std::move(other.program), passes_));
+    add(program, other.method, formulated == Formulated::for_lanes);
     return true;
   }
 
   void add_unsearched() {
-    if (!add_congruent(Formulated::unsearched_for_lanes))
-      add(pass::run(traced(function_, formulations_.of(Formulated::unsearched)).program, passes_), false);
+    if (add_congruent(Formulated::unsearched_for_lanes)) return;
+    symbolic::Function other = traced(function_, formulations_.of(Formulated::unsearched));
+    add(pass::run(std::move(other.program), passes_), other.method, false);
   }
 
-  std::optional<pass::Packed> fastest() {
-    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) { return a.time < b.time; });
-    for (Found& found : found_) {
-      if (function_.results && !function_.results->are_kept_by(found.packed.program)) continue;
-      prefers_unsearched_ = !found.is_searched;
-      return std::move(found.packed);
-    }
+  std::optional<InLanes> fastest() {
+    std::stable_sort(found_.begin(), found_.end(), [](const InLanes& a, const InLanes& b) { return a.time < b.time; });
+    for (InLanes& found : found_)
+      if (!function_.results || function_.results->are_kept_by(found.packed.program)) return std::move(found);
     return std::nullopt;
   }
 };
@@ -129,15 +127,17 @@ Functions pack_lanes(const Robot& robot, Functions functions, Formulations& form
   if (limbs.empty()) return functions;
   const auto pack = [&](Function& function, bool compares) {
     LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
-    std::optional<pass::Packed> packed = lanes.choose(compares);
-    if (packed) {
-      for (std::size_t c = 0; c < limbs.size(); ++c)
-        if (packed->in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
-      function.in_lanes = std::move(packed->program);
-    } else {
+    std::optional<InLanes> best = lanes.choose(compares);
+    if (!best) {
       function.without_lanes = lanes.reason();
+      return false;
     }
-    return lanes.prefers_unsearched();
+    for (std::size_t c = 0; c < limbs.size(); ++c)
+      if (best->packed.in_lanes[c])
+        function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
+    function.in_lanes = std::move(best->packed.program);
+    function.method = std::move(best->method);
+    return !best->is_searched;
   };
   // What the search for link frames gains in scalar programs may be a loss in lanes. The first function of each search
   // is compared with the same function without it, and decides whether the others are.

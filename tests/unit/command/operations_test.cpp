@@ -55,6 +55,55 @@ TEST(Operations, OfEachChoiceAloneOfNearlyParallelAxes) {
   }
 }
 
+// With lanes, functions are named together with the limbs that share them, or with the reason why none do.
+TEST(Operations, SayWhichLimbsShareLanes) {
+  const std::string options = " --effort 0 --algorithms inverse_dynamics,energy ", file = quoted(robot("two_arms"));
+  const Outcome table = run_tool("ops --lanes" + options + file);
+  ASSERT_EQ(table.status, 0) << table.errors;
+  for (const char* line :
+       {"\nlimbs of left_swing, right_swing share lanes: inverse_dynamics\n",
+        "\nno limbs share lanes, because lanes would not be clearly faster: kinetic_energy, potential_energy\n"})
+    EXPECT_NE(table.output.find(line), std::string::npos) << table.output;
+  const Outcome json = run_tool("ops --lanes --json" + options + file);
+  const nlohmann::json functions = nlohmann::json::parse(json.output)["functions"];
+  EXPECT_EQ(functions[0]["limbs_in_lanes"], nlohmann::json::array({"left_swing, right_swing"}));
+  EXPECT_EQ(functions[1]["without_lanes"], "lanes would not be clearly faster");
+  const Outcome without = run_tool("ops" + options + file);
+  EXPECT_EQ(without.output.find("lanes"), std::string::npos) << without.output;
+}
+
+// Limbs that only look alike are named with their first difference.
+TEST(Operations, SayWhyLimbsShareNoLanes) {
+  std::string text = "Robot pair {\nRobotBase body { children { a1 via A1  b1 via B1 } }\n", joints;
+  int id = 0;
+  for (const std::string limb : {"a", "b"}) {
+    for (int k = 1; k <= 3; ++k) {
+      const std::string place = std::to_string(k), next = limb + std::to_string(k + 1);
+      const std::string child = k == 3 ? "" : next + " via " + (limb == "a" ? "A" : "B") + std::to_string(k + 1);
+      text +=
+          "link " + limb + place + " { id = " + std::to_string(++id) +
+          "\ninertia_params { mass = 1.0 CoM = (0.1, 0.2, 0.3) Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = "
+          "0.0 }\nchildren { " +
+          child + " } }\n";
+      joints += (limb == "b" && k == 3 ? "p_joint " : "r_joint ") + std::string(limb == "a" ? "A" : "B") + place +
+                " { ref_frame { translation = (0.5, 0.0, 0.1) rotation = (0.5, 0.0, 0.0) } }\n";
+    }
+  }
+  const Scratch scratch("unlike");
+  const std::filesystem::path file = scratch.path / "pair.kindsl";
+  write_text(file, text + joints + "}\n");
+  const Outcome table = run_tool("ops --lanes --effort 0 --algorithms inverse_dynamics " + quoted(file));
+  ASSERT_EQ(table.status, 0) << table.errors;
+  EXPECT_NE(
+      table.output.find("\nlimbs of A1 and B1 share no lanes: A3 is revolute, B3 is prismatic\n"), std::string::npos)
+      << table.output;
+  const Outcome json = run_tool("ops --lanes --json --effort 0 --algorithms inverse_dynamics " + quoted(file));
+  const nlohmann::json unlike = nlohmann::json::parse(json.output)["unlike_limbs"];
+  ASSERT_EQ(unlike.size(), 1U) << json.output;
+  EXPECT_EQ(unlike[0]["joints"], nlohmann::json::array({"A1", "B1"}));
+  EXPECT_EQ(unlike[0]["reason"], "A3 is revolute, B3 is prismatic");
+}
+
 std::filesystem::path corpus(const std::string& name) {
   return std::filesystem::path(ROBCOGEN_CORPUS_DIR) / name;
 }
