@@ -8,6 +8,27 @@
 
 namespace robcogen::compatibility {
 
+// Where a kernel writes a result of the program. Kernels must not write to what they read, so a result that is also an
+// argument is written at the end.
+template <class Vector>
+class Result {
+ public:
+  template <class... Arguments>
+  explicit Result(Vector& result, const Arguments&... arguments)
+      : result_(result), is_argument_((... || (result.data() == arguments.data()))) {}
+  ~Result() {
+    if (is_argument_) result_ = copy_;
+  }
+  Result(const Result&) = delete;
+  Result& operator=(const Result&) = delete;
+  auto* data() { return is_argument_ ? copy_.data() : result_.data(); }
+
+ private:
+  Vector& result_;
+  const bool is_argument_;
+  Vector copy_;
+};
+
 template <class Trait, class Robot, class Inertias, class Transforms>
 class DynamicsBase {
  public:

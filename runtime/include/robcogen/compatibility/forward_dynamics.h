@@ -40,7 +40,7 @@ class ForwardDynamics<Trait, Robot, Inertias, Transforms, false>
       const JointState& qd,
       const JointState& tau,
       const Scalar* external) const {
-    JointState result;
+    Result result(qdd, q, qd, tau);
     const typename Base::FixedBaseGravity gravity;
     if (external)
       this->run(
@@ -52,7 +52,6 @@ class ForwardDynamics<Trait, Robot, Inertias, Transforms, false>
       this->run(
           Robot::template forward_dynamics_gravity<Scalar>, q.data(), qd.data(), tau.data(), gravity.data(),
           result.data());
-    qdd = result;
   }
 };
 
@@ -121,8 +120,8 @@ class ForwardDynamics<Trait, Robot, Inertias, Transforms, true>
       const JointState& qd,
       const JointState& tau,
       const Scalar* external) const {
-    JointState joints;
-    Acceleration base;
+    Result joints(qdd, q, qd, tau);
+    Result base(base_a, base_v, g);
     if (external)
       this->run(
           Robot::template forward_dynamics_external<Scalar>, q.data(), qd.data(), tau.data(), base_v.data(),
@@ -131,8 +130,6 @@ class ForwardDynamics<Trait, Robot, Inertias, Transforms, true>
       this->run(
           Robot::template forward_dynamics<Scalar>, q.data(), qd.data(), tau.data(), base_v.data(), this->linear(g),
           joints.data(), base.data());
-    qdd = joints;
-    base_a = base;
   }
 };
 

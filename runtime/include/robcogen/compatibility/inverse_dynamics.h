@@ -40,21 +40,52 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
   }
   void set_base(const Velocity& v, const Acceleration& a, const Acceleration& g) {
     motion_.base_velocity = v;
-    motion_.base_acceleration = a - g;
+    motion_.base_acceleration = a;
+    gravity_ = g;
+    base_is_free_ = false;
+  }
+  // Nothing holds the base: its acceleration is a result.
+  void set_free_base(const Velocity& v, const Acceleration& g) {
+    motion_.base_velocity = v;
+    gravity_ = g;
+    base_is_free_ = true;
   }
   // The acceleration of a fixed base relative to free fall.
-  void set_upwards(double g) { motion_.base_acceleration(5) = Scalar(g); }
+  void set_upwards(double g) { gravity_(5) = Scalar(-g); }
 
  private:
   using Links = LinkMotions<Trait, Robot>;
 
   const Links& links() const {
-    if (!is_current_) links_.compute(motion_, *this->transforms_, *this->inertias_);
+    if (is_current_) return links_;
     is_current_ = true;
+    typename Links::Motion motion = motion_;
+    if constexpr (Robot::kFloatingBase) {
+      if (base_is_free_) motion.base_acceleration = free_acceleration();
+    }
+    motion.base_acceleration -= gravity_;
+    links_.compute(motion, *this->transforms_, *this->inertias_);
     return links_;
   }
 
+  Acceleration free_acceleration() const {
+    const typename Links::Motion& m = motion_;
+    JointState tau;
+    Acceleration a;
+    if (m.has_wrenches)
+      this->run(
+          Robot::template inverse_dynamics_external<Scalar>, m.q.data(), m.qd.data(), m.qdd.data(),
+          m.base_velocity.data(), this->linear(gravity_), m.wrenches[0].data(), tau.data(), a.data());
+    else
+      this->run(
+          Robot::template inverse_dynamics<Scalar>, m.q.data(), m.qd.data(), m.qdd.data(), m.base_velocity.data(),
+          this->linear(gravity_), tau.data(), a.data());
+    return a;
+  }
+
   typename Links::Motion motion_;
+  Acceleration gravity_ = Acceleration::Constant(Scalar(0));
+  bool base_is_free_ = false;
   mutable Links links_;
   mutable bool is_current_ = false;
 };
@@ -114,7 +145,7 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, false>
       const Scalar* external) {
     this->set_motion(q, qd, qdd, external);
     this->set_upwards(iit::rbd::g);
-    JointState result;
+    Result result(jForces, q, qd, qdd);
     const typename Base::FixedBaseGravity gravity;
     if (external)
       this->run(
@@ -126,26 +157,23 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, false>
       this->run(
           Robot::template inverse_dynamics_gravity<Scalar>, q.data(), qd.data(), qdd.data(), gravity.data(),
           result.data());
-    jForces = result;
   }
   void compute_gravity(JointState& jForces, const JointState& q) {
     const JointState zero = JointState::Constant(Scalar(0));
     this->set_motion(q, zero, zero, nullptr);
     this->set_upwards(iit::rbd::g);
-    JointState result;
+    Result result(jForces, q);
     const typename Base::FixedBaseGravity gravity;
     if (iit::rbd::g == Base::kFoldedGravity)
       this->run(Robot::template gravity_forces<Scalar>, q.data(), result.data());
     else
       this->run(Robot::template gravity_forces_gravity<Scalar>, q.data(), gravity.data(), result.data());
-    jForces = result;
   }
   void compute_coriolis(JointState& jForces, const JointState& q, const JointState& qd) {
     this->set_motion(q, qd, JointState::Constant(Scalar(0)), nullptr);
     this->set_upwards(0);
-    JointState result;
+    Result result(jForces, q, qd);
     this->run(Robot::template coriolis_forces<Scalar>, q.data(), qd.data(), result.data());
-    jForces = result;
   }
 };
 
@@ -283,8 +311,10 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, true>
       const JointState& qd,
       const JointState& qdd,
       const Scalar* external) {
-    JointState joints;
-    Acceleration base;
+    this->set_motion(q, qd, qdd, external);
+    this->set_free_base(base_v, g);
+    Result joints(jForces, q, qd, qdd);
+    Result base(base_a, base_v, g);
     if (external)
       this->run(
           Robot::template inverse_dynamics_external<Scalar>, q.data(), qd.data(), qdd.data(), base_v.data(),
@@ -293,10 +323,6 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, true>
       this->run(
           Robot::template inverse_dynamics<Scalar>, q.data(), qd.data(), qdd.data(), base_v.data(), this->linear(g),
           joints.data(), base.data());
-    this->set_motion(q, qd, qdd, external);
-    this->set_base(base_v, base, g);
-    jForces = joints;
-    base_a = base;
   }
   void compute_fully_actuated(
       Force& baseWrench,
@@ -310,8 +336,8 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, true>
       const Scalar* external) {
     this->set_motion(q, qd, qdd, external);
     this->set_base(base_v, base_a, g);
-    JointState joints;
-    Force base;
+    Result joints(jForces, q, qd, qdd);
+    Result base(baseWrench, base_v, base_a, g);
     if (external)
       this->run(
           Robot::template inverse_dynamics_fully_actuated_external<Scalar>, q.data(), qd.data(), qdd.data(),
@@ -320,19 +346,15 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, true>
       this->run(
           Robot::template inverse_dynamics_fully_actuated<Scalar>, q.data(), qd.data(), qdd.data(), base_v.data(),
           base_a.data(), this->linear(g), joints.data(), base.data());
-    jForces = joints;
-    baseWrench = base;
   }
   void compute_gravity(Force& baseWrench, JointState& jForces, const Acceleration& g, const JointState& q) {
     const JointState zero = JointState::Constant(Scalar(0));
     const Acceleration at_rest = Acceleration::Constant(Scalar(0));
     this->set_motion(q, zero, zero, nullptr);
     this->set_base(at_rest, at_rest, g);
-    JointState joints;
-    Force base;
+    Result joints(jForces, q);
+    Result base(baseWrench, g);
     this->run(Robot::template gravity_forces<Scalar>, q.data(), this->linear(g), joints.data(), base.data());
-    jForces = joints;
-    baseWrench = base;
   }
   void compute_coriolis(
       Force& baseWrench,
@@ -343,11 +365,9 @@ class InverseDynamics<Trait, Robot, Inertias, Transforms, true>
     const Acceleration at_rest = Acceleration::Constant(Scalar(0));
     this->set_motion(q, qd, JointState::Constant(Scalar(0)), nullptr);
     this->set_base(base_v, at_rest, at_rest);
-    JointState joints;
-    Force base;
+    Result joints(jForces, q, qd);
+    Result base(baseWrench, base_v);
     this->run(Robot::template coriolis_forces<Scalar>, q.data(), qd.data(), base_v.data(), joints.data(), base.data());
-    jForces = joints;
-    baseWrench = base;
   }
 };
 

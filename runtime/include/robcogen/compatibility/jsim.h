@@ -12,8 +12,11 @@ class Jsim : public iit::rbd::StateDependentMatrix<
                  Robot::kCoordinates,
                  Robot::kCoordinates,
                  Jsim<Trait, Robot, Inertias, Transforms>> {
-  using Base = iit::rbd::
-      StateDependentMatrix<compatibility::JointState<Robot, typename Trait::Scalar>, Robot::kCoordinates, Robot::kCoordinates, Jsim>;
+  using Base = iit::rbd::StateDependentMatrix<
+      compatibility::JointState<Robot, typename Trait::Scalar>,
+      Robot::kCoordinates,
+      Robot::kCoordinates,
+      Jsim>;
   static constexpr int kJoints = Robot::kJoints;
 
  public:
