@@ -19,7 +19,9 @@ std::string generate_with(const fs::path& model, const fs::path& output, const s
 TEST(Compatibility, HeadersAreShort) {
   const Scratch scratch("compatibility");
   const Outcome run = run_tool(generate_with(
-      robot("quadruped"), scratch.path, "--compatibility robcogen --namespace iit::HyQ --algorithms energy"));
+      robot("quadruped"), scratch.path,
+      "--compatibility robcogen --namespace iit::HyQ --algorithms energy --desired " +
+          quoted(fs::path(ROBCOGEN_ROBOTS_DIR) / "quadruped" / "quadruped.dtdsl")));
   ASSERT_EQ(run.status, 0) << run.errors;
   std::ptrdiff_t lines = 0;
   for (const auto& entry : fs::recursive_directory_iterator(scratch.path / "iit" / "robots" / "quadruped"))
