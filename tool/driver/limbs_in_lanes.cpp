@@ -23,7 +23,7 @@ using symbolic::Program;
 // A program with lanes.
 struct InLanes {
   pass::Packed packed;
-  int time = 0;
+  int starts = 0;      // half cycles in which its instructions start: calls in a row do not wait for the critical path
   std::string method;  // how it is computed
   bool is_searched = true;
 };
@@ -77,8 +77,8 @@ class LanesOfFunction {
   void add(const Program& program, const std::string& method, bool is_searched) {
     std::optional<pass::Packed> packed = pass::pack_lanes_within(program, classes_, time_);
     if (!packed) return;
-    const int time = predicted_time(packed->program);
-    found_.push_back({std::move(*packed), time, method, is_searched});
+    const symbolic::Cost cost = symbolic::cost(packed->program);
+    found_.push_back({std::move(*packed), weighted(cost, symbolic::kStarts), method, is_searched});
   }
 
   // Adds the program of a formulation in which congruent limbs fold in the same way, if it is a different program.
@@ -99,7 +99,8 @@ class LanesOfFunction {
   }
 
   std::optional<InLanes> fastest() {
-    std::stable_sort(found_.begin(), found_.end(), [](const InLanes& a, const InLanes& b) { return a.time < b.time; });
+    std::stable_sort(
+        found_.begin(), found_.end(), [](const InLanes& a, const InLanes& b) { return a.starts < b.starts; });
     for (InLanes& found : found_)
       if (!function_.results || function_.results->are_kept_by(found.packed.program)) return std::move(found);
     return std::nullopt;

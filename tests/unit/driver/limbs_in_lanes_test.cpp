@@ -147,10 +147,11 @@ TEST(LimbsInLanes, OfOneShapeShareThemWhateverTheirNumbers) {
   }
 }
 
-// The modelled times of the first overloads, by function.
+// The half cycles in which the instructions of the first overloads start, by function.
 std::map<std::string, int> times(const Model& model, int effort) {
   std::map<std::string, int> result;
-  for (const Function& f : with_lanes(model, effort).list) result.emplace(f.name, predicted_time(printed(f)));
+  for (const Function& f : with_lanes(model, effort).list)
+    result.emplace(f.name, weighted(symbolic::cost(printed(f)), symbolic::kStarts));
   return result;
 }
 
