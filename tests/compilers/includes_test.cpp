@@ -33,7 +33,7 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"atomic", "std::atomic"},
     {"bit", "std::bit_cast std::bit_ceil std::bit_width std::countr_zero std::has_single_bit"},
     {"cassert", "assert"},
-    {"cctype", "std::isalnum std::isalpha std::isprint std::isspace std::tolower std::toupper"},
+    {"cctype", "std::isalnum std::isalpha std::islower std::isprint std::isspace std::isupper std::tolower std::toupper"},
     {"cerrno", "errno"},
     {"charconv", "std::chars_format std::from_chars std::to_chars"},
     {"cmath",

@@ -49,7 +49,9 @@ TEST(Growth, OfFunctionsOfFramesAndForcesIsLinear) {
   long before = 0;
   for (const int joints : {10, 20, 40, 80}) {
     const long now = lines(joints, "--algorithms inverse_dynamics energy transforms jacobians world");
-    if (before > 0) EXPECT_LE(static_cast<double>(now), 1.15 * 2 * static_cast<double>(before)) << joints;
+    if (before > 0) {
+      EXPECT_LE(static_cast<double>(now), 1.15 * 2 * static_cast<double>(before)) << joints;
+    }
     before = now;
   }
 }
