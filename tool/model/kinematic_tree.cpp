@@ -281,8 +281,9 @@ void add_transforms(const KinematicTree& tree, const Frame& frame, DesiredTransf
 std::vector<Frame> end_frames(const KinematicTree& tree) {
   std::vector<Frame> frames = link_and_user_frames(tree);
   std::erase_if(frames, [&](const Frame& frame) {
+    const int link = tree.link_of(frame);
     const bool is_of_link = frame.kind == Frame::Kind::link || is_named_after_its_link(tree, frame);
-    return is_of_link && tree.links[at(tree.link_of(frame))].child_joints.size() == 1;
+    return is_of_link && link != 0 && tree.links[at(link)].child_joints.size() == 1;
   });
   return frames;
 }
