@@ -231,9 +231,10 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   subcommand
       .add_option(
           "--frames", model.frames,
-          "Frames for which functions of frames (transforms, Jacobians, world, …) are made, instead of all: a "
-          "comma-separated list of names, or of patterns with * and ?, such as '*_foot'. With --desired, those of its "
-          "pairs that have these frames")
+          "Frames for which functions of frames (transforms, Jacobians, world, …) are made, instead of those at "
+          "which limbs end: a comma-separated list of names, or of patterns with * and ?, such as '*_foot'; '*' is "
+          "all. "
+          "With --desired, those of its pairs that have these frames")
       ->delimiter(',')
       ->allow_extra_args(false);
   subcommand

@@ -2,9 +2,10 @@
 // Robot Pendulum: its functions. Edit the model, not this file.
 //
 // All functions are pure: no state, no allocation, no exceptions. Units are SI, angles in rad. Joint vectors are in the
-// order of pendulum::Joint. pendulum::f32 has the same types and functions in single precision. pendulum::Robot, and
-// f32::Robot, have all functions but transforms and Jacobians as members, for code that is generic over robots. If
-// sines and cosines of the joints are known, pass a JointTrigonometry in place of positions.
+// order of pendulum::Joint. pendulum::Robot has all functions but transforms and Jacobians as members, for code that is
+// generic over robots. If sines and cosines of the joints are known, pass a JointTrigonometry in place of positions.
+// Functions of other frames: FRAMES (--frames) or DESIRED (--desired). In single precision, f32: SINGLE_PRECISION
+// (--single-precision).
 
 #pragma once
 
@@ -251,7 +252,7 @@ Matrix<6, 1> fr_base_J_fr_rod(const JointTrigonometry& at) noexcept;
 
 }  // namespace pendulum
 
-// The definitions in each precision.
+// The definitions.
 #include "pendulum/detail/kernels.h"
 
 #define ROBCOGEN_DEFINITIONS
@@ -260,8 +261,4 @@ namespace here = ::pendulum;
 #include "pendulum/detail/functions.inc"
 }  // namespace pendulum
 
-namespace pendulum::f32 {
-namespace here = ::pendulum::f32;
-#include "pendulum/detail/functions.inc"
-}  // namespace pendulum::f32
 #undef ROBCOGEN_DEFINITIONS
