@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 std::string product(const Scratch& scratch, const std::string& convention, const std::string& name) {
   const Outcome run = run_tool(
       "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) +
-      " --name hyl --language matlab --algorithms transforms --primitives " + convention);
+      " --name hyl --language matlab --algorithms transforms --frames '*' --primitives " + convention);
   EXPECT_EQ(run.status, 0) << run.errors;
   // Removes line breaks, which depend on the length of names.
   const std::string text = read_text(scratch.path / "matlab" / "+hyl" / "+transforms" / "+product" / (name + ".m"));
@@ -46,7 +46,7 @@ TEST(Primitives, OfTheOtherConventionHaveTheOtherSign) {
 TEST(Primitives, ComeInMaximaToo) {
   const Scratch scratch("maxima-primitives");
   const std::string generate = "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) +
-                               " --name hyl --namespace a --language maxima --algorithms transforms";
+                               " --name hyl --namespace a --language maxima --algorithms transforms --frames '*'";
   ASSERT_EQ(run_tool(generate + " --primitives right").status, 0);
   const std::string text = read_text(scratch.path / "maxima" / "a_hyl.mac");
   EXPECT_NE(
@@ -64,7 +64,7 @@ TEST(Primitives, ComeInMaximaToo) {
 TEST(Primitives, AreNotPrintedUnlessAskedFor) {
   const Scratch scratch("no-primitives");
   const std::string generate =
-      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --name hyl --language matlab";
+      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --name hyl --language matlab --frames '*'";
   ASSERT_EQ(run_tool(generate + " --primitives left").status, 0);
   const fs::path folder = scratch.path / "matlab" / "+hyl" / "+transforms" / "+product";
   EXPECT_TRUE(fs::exists(folder / "fr_base_X_fr_foot.m"));
