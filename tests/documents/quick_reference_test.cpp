@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -38,11 +39,19 @@ driver::Robot robot(const std::string& name) {
   return result;
 }
 
+// The functions of a group that the robot has, which take a while to find.
+const std::vector<Declared>& functions_of(const std::string& group, const driver::Robot& robot) {
+  static std::map<std::pair<std::string, const driver::Robot*>, std::vector<Declared>> known;
+  const auto [place, is_new] = known.try_emplace({group, &robot});
+  if (is_new) place->second = algorithm::declared(robot.tree, robot.desired, group);
+  return place->second;
+}
+
 // The function of this row that has the most inputs.
 std::optional<Declared> function_of(const Declaration& row, const driver::Robot& robot) {
   std::optional<Declared> result;
-  for (Declared& function : algorithm::declared(robot.tree, robot.desired, row.group))
-    if (function.is == &row && (!result || result->name == function.name)) result.emplace(std::move(function));
+  for (const Declared& function : functions_of(row.group, robot))
+    if (function.is == &row && (!result || result->name == function.name)) result.emplace(function);
   return result;
 }
 

@@ -38,13 +38,14 @@ model::KinematicTree robot() {
   return *tree;
 }
 
-// True if the list refers to things that must exist: contacts, instances of parts, and functions of loops.
+// True if the list refers to things that must exist: contacts, chains, functions, instances of parts.
 bool asks_by_name(const language::desired::Document& document) {
   const auto names_instance = [](const language::desired::Name& name) { return !name.instance.empty(); };
   const auto has_instance = [&](const language::desired::Pair& pair) {
     return names_instance(pair.left) || names_instance(pair.right);
   };
-  return !document.contacts.empty() || !document.loops.empty() ||
+  return !document.contacts.empty() || !document.loops.empty() || !document.inverses.empty() ||
+         !document.functions.empty() ||
          std::any_of(document.frames.begin(), document.frames.end(), names_instance) ||
          std::any_of(document.transforms.begin(), document.transforms.end(), has_instance) ||
          std::any_of(document.jacobians.begin(), document.jacobians.end(), has_instance);

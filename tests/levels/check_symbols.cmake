@@ -2,7 +2,7 @@
 string(REPLACE "," ";" objects "${OBJECTS}")
 # Symbols that compilers add: data, or functions that are the same on all processors.
 set(shared "__clang_call_terminate|DW[.]ref[.]|__asan_|__odr_asan|__llvm_|__gcov_| V typeinfo")
-list(FILTER objects INCLUDE REGEX "/kernels_(avx2|avx512)[.]cpp[.]o")
+list(FILTER objects INCLUDE REGEX "/kernels_(avx2|avx512)(_[0-9]+)?[.]cpp[.]o")
 if(NOT objects)
   message(FATAL_ERROR "no unit for one processor in ${OBJECTS}")
 endif()

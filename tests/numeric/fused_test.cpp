@@ -138,7 +138,8 @@ TEST(FusedRobots, HaveTheResultsOfTheirParts) {
     if (desired.functions.front().parts.size() < 2) continue;
     algorithm::FormulationChoices plain(*tree, algorithm::plain_formulation());
     algorithm::FormulationChoices choices(*tree, {});
-    for (const algorithm::Declared& function : algorithm::fused_functions(*tree, desired).front())
+    const std::vector<std::vector<algorithm::Declared>> fused = algorithm::fused_functions(*tree, desired);
+    for (const algorithm::Declared& function : fused.front())
       compared += compare(function, choices, plain, dice);
   }
   EXPECT_GT(compared, 4 * kRobots);

@@ -27,7 +27,7 @@ async function load(name) {
   const document = join(folder, `${name}.kindsl`), text = readFileSync(join(robots, name, `${name}.kindsl`), "utf8");
   writeFileSync(document, text.replaceAll(/\bdamping = \S+/g, ""));
   const words = ["generate", document, "-o", folder, "--name", name, "--language", "javascript"];
-  execFileSync(tool, [...words, "--algorithms", "energy,forward_dynamics,bias_forces,transforms"], { stdio: "pipe" });
+  execFileSync(tool, [...words, "--frames", "*", "--algorithms", "energy,forward_dynamics,bias_forces,transforms"], { stdio: "pipe" });
   const module = await import(pathToFileURL(join(folder, "javascript", `${name}.mjs`)).href);
   const base = module.model.frames[0].name;
   const frames = module.model.links.map((link, l) => ({ kind: "link", name: `fr_${link.name}`, index: l, link: l }));

@@ -42,7 +42,9 @@ std::string signature(const symbolic::Program& p) {
 
 std::vector<std::string> signatures(const model::KinematicTree& tree, const std::string& group) {
   std::vector<std::string> list;
-  for (const symbolic::Function& f : functions(tree, model::all_desired(tree), group))
+  model::DesiredTransforms desired = model::all_desired(tree);
+  desired.jacobians = model::default_desired(tree).jacobians;
+  for (const symbolic::Function& f : functions(tree, desired, group))
     list.push_back(signature(f.program));
   return list;
 }

@@ -64,7 +64,7 @@ TEST(Primitives, ComeInMaximaToo) {
 TEST(Primitives, AreNotPrintedUnlessAskedFor) {
   const Scratch scratch("no-primitives");
   const std::string generate =
-      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --name hyl --language matlab";
+      "generate " + quoted(robot("hyl")) + " -o " + quoted(scratch.path) + " --name hyl --language matlab --frames '*'";
   ASSERT_EQ(run_tool(generate + " --primitives left").status, 0);
   const fs::path folder = scratch.path / "matlab" / "+hyl" / "+transforms" / "+product";
   EXPECT_TRUE(fs::exists(folder / "fr_base_X_fr_foot.m"));

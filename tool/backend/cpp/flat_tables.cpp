@@ -79,9 +79,16 @@ std::size_t offset_of(const symbolic::Program& program, std::size_t input) {
 }
 
 std::string offset_list(const std::vector<std::size_t>& offsets) {
-  std::string list;
-  for (const std::size_t offset : offsets) list += (list.empty() ? "" : ", ") + std::to_string(offset);
-  return "At<" + list + ">";
+  // A list that is too long for a line has a line for each element, as clang-format breaks it.
+  constexpr std::size_t kIndent = 12, kMaxLength = 100 - kIndent - 2;
+  const std::string next_line = ",\n" + std::string(kIndent + 3, ' ');
+  std::string list, lines;
+  for (const std::size_t offset : offsets) {
+    const std::string text = std::to_string(offset);
+    list += (list.empty() ? "" : ", ") + text;
+    lines += (lines.empty() ? "" : next_line) + text;
+  }
+  return "At<" + (list.size() + 4 > kMaxLength ? lines : list) + ">";
 }
 
 std::vector<std::size_t> offsets_of_outputs(const symbolic::Program& program) {

@@ -227,7 +227,7 @@ std::string print_batch(const Api& api, const std::string& path) {
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
   const std::vector<std::string> headers = {
-      "\"" + kernels_path(folder(*api.library)) + "\"", "\"robcogen/batch.h\"", "\"robcogen/batch_states.h\"",
+      "\"robcogen/batch.h\"", "\"" + kernels_path(folder(*api.library)) + "\"", "\"robcogen/batch_states.h\"",
       "\"robcogen/version.h\""};
   std::vector<std::string> bodies, choosers;
   for (const BatchKernel& k : batch_kernels(api)) {
