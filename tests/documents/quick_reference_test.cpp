@@ -23,7 +23,7 @@ namespace {
 using algorithm::Declaration;
 using algorithm::Declared;
 
-// A robot of this project, with two contacts.
+// A robot of this project, with three contacts.
 driver::Robot robot(const std::string& name) {
   const std::filesystem::path folder = source_folder() / "robots" / name;
   driver::LoadOptions options;
@@ -34,7 +34,7 @@ driver::Robot robot(const std::string& name) {
   driver::Robot result = *model->robot();
   result.desired.contacts.clear();
   const auto frames = result.tree.frames();
-  for (auto frame = frames.rbegin(); frame != frames.rend() && result.desired.contacts.size() < 2; ++frame)
+  for (auto frame = frames.rbegin(); frame != frames.rend() && result.desired.contacts.size() < 3; ++frame)
     result.desired.contacts.push_back({*frame, false});
   return result;
 }
@@ -85,6 +85,7 @@ std::string size(const std::vector<const driver::Robot*>& robots, const std::vec
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  if (what.empty()) return text;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
   return text;

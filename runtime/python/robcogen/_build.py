@@ -60,7 +60,7 @@ def _generate(tool, model, name, arguments, call, quiet):
         messages = run([
             *tool, "generate", str(model), "-o", str(code), *arguments, "--depfile", str(depfile), "--stamp", str(stamp)]).stderr
         if not stamp.is_file():
-            raise Error(f"the generator writes no code with the options {' '.join(options)}")
+            raise Error(f"the generator writes no code with the options {' '.join(arguments[5:])}")
         report(messages, True, quiet)
         # The name has all that decides what the module computes. Layout and comments of the model make no difference.
         key = f"{name}_{hash_of(hash_of_files(code, [f for f in code.rglob('*') if f.is_file()]), *_environment())}"

@@ -227,8 +227,7 @@ std::string print_batch(const Api& api, const std::string& path) {
 
 std::string print_batch_choice(const Api& api, const std::string& path) {
   const std::vector<std::string> headers = {
-      "\"robcogen/batch.h\"", "\"" + kernels_path(folder(*api.library)) + "\"", "\"robcogen/batch_states.h\"",
-      "\"robcogen/version.h\""};
+      "\"" + kernels_path(folder(*api.library)) + "\"", "\"robcogen/batch_states.h\"", "\"robcogen/version.h\""};
   std::vector<std::string> bodies, choosers;
   for (const BatchKernel& k : batch_kernels(api)) {
     const bool is_in_blocks = !k.callable->function->form.takes_single_states;
@@ -240,7 +239,8 @@ std::string print_batch_choice(const Api& api, const std::string& path) {
         batch_instantiations(api, k, "", {"robcogen::batch::Level"}));
   }
   return paragraphs(
-      {banner(*api.library, path, "selection of the bodies for the processor"), includes(headers), runtime_check(api),
+      {banner(*api.library, path, "selection of the bodies for the processor"), includes({"\"robcogen/batch.h\""}),
+       includes(headers), runtime_check(api),
        in_namespace(
            api.space + "::batch", paragraphs(
                                       {compiled_levels(), in_namespace("body", paragraphs(bodies)),
