@@ -101,9 +101,26 @@ TEST(Examples, OfDerivativesCompile) {
       "#include <leg/leg.h>\nvoid calls(const leg::Parameters<double>& parameters, leg::JointState q) {\n"
       "const leg::JointState qd = q, qdd = q;\n";
   for (const CodeBlock& block : code_blocks(read_text(source_folder() / "cmake/README.md")))
-    if (block.language == "cpp") text += block.text + "static_cast<void>(d.tau), d.d_q, d.d_parameters;\n";
+    if (block.language == "cpp" && block.section == "Derivatives")
+      text += block.text + "static_cast<void>(d.tau), d.d_q, d.d_parameters;\n";
   EXPECT_NE(text.find("d.tau"), std::string::npos) << text;
   expect_to_compile(folder, text + "}\n", "-Wno-unused-value");
+  if (!testing::Test::HasFailure()) fs::remove_all(folder);
+}
+
+TEST(Examples, OfFusedFunctionsCompile) {
+  const fs::path folder = scratch("fused_examples");
+  fs::remove_all(folder);
+  generate(
+      folder, robots +
+                  "hyl/hyl.kindsl --name leg --effort 0 --algorithms jacobian_derivatives --frames fr_foot --function "
+                  "'control = joint_space_inertia + bias_forces + jacobians.fr_base_J_fr_foot + "
+                  "jacobians.fr_base_Jd_qd_fr_foot'");
+  std::string text = "#include <leg/leg.h>\nvoid calls(leg::JointState q, leg::JointState qd) {\n";
+  for (const CodeBlock& block : code_blocks(read_text(source_folder() / "cmake/README.md")))
+    if (block.language == "cpp" && block.section == "Fused functions") text += block.text;
+  expect_to_compile(
+      folder, text + "static_cast<void>(r.joint_space_inertia), r.fr_base_Jd_qd_fr_foot;\n}\n", "-Wno-unused-value");
   if (!testing::Test::HasFailure()) fs::remove_all(folder);
 }
 

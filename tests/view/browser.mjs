@@ -50,7 +50,7 @@ export async function startBrowser(program) {
     const ended = new Promise((done) => browser.on("exit", done));
     if (browser.exitCode === null) browser.kill("SIGKILL");
     await ended;
-    rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
+    rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
   };
   return { send, stop, listen: (listener) => listeners.push(listener) };
 }
