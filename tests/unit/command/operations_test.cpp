@@ -72,7 +72,7 @@ TEST(Operations, SayWhichLimbsShareLanes) {
   EXPECT_EQ(without.output.find("lanes"), std::string::npos) << without.output;
 }
 
-// Limbs that only look alike are named with their first difference.
+// The message about limbs that look alike, but are not congruent, names the first difference between them.
 TEST(Operations, SayWhyLimbsShareNoLanes) {
   std::string text = "Robot pair {\nRobotBase body { children { a1 via A1  b1 via B1 } }\n", joints;
   int id = 0;

@@ -73,6 +73,12 @@ class Inversion {
     return {sin(position), cos(position)};
   }
 
+  inversion::JointValues values_at(const std::vector<Expression>& q) {
+    inversion::JointValues values(chain.axes.size());
+    for (int k = 0; k < chain.joints; ++k) values[at(k)] = value_of(k, q);
+    return values;
+  }
+
   std::vector<Branch> branches(const std::vector<Expression>* signs) {
     if (found.swivel)
       return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
@@ -211,8 +217,7 @@ Program inverse_kinematics_configuration(
   Inversion inversion(tree, frames, task);
   Trace& trace = inversion.trace;
   inversion.reference = trace.joint_input("q", Role::joint_position);
-  inversion::JointValues values(inversion.chain.axes.size());
-  for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, inversion.reference);
+  const inversion::JointValues values = inversion.values_at(inversion.reference);
   std::vector<Expression> signs;
   for (const Expression& root : inversion.roots(values)) {
     // The sign, as a number: positive where the roots meet.
@@ -231,8 +236,7 @@ Program inverse_kinematics_redundancy(
   Inversion inversion(tree, frames, task);
   Trace& trace = inversion.trace;
   const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
-  inversion::JointValues values(inversion.chain.axes.size());
-  for (int k = 0; k < inversion.chain.joints; ++k) values[at(k)] = inversion.value_of(k, q);
+  const inversion::JointValues values = inversion.values_at(q);
   trace.section("swivel", "swivel angle");
   trace.output(
       "swivel", Role::value,
