@@ -49,7 +49,7 @@ int LaneBuilder::section_of(const Tuple& lanes, int place) {
 }
 
 int LaneBuilder::width(const Operand& o) const {
-  return is_statement(o) && o.lane < 0 ? made_[at(o.index)].statement.width : 1;
+  return is_statement(o) && o.lane < 0 ? scheduled_[at(o.index)].statement.width : 1;
 }
 
 Operand LaneBuilder::constant(const Constant& value) {
@@ -61,35 +61,35 @@ Operand LaneBuilder::constant(const Constant& value) {
   return {Operand::Kind::constant, index, false};
 }
 
-Operand LaneBuilder::make(Statement s, int latency) {
+Operand LaneBuilder::append(Statement s, int latency) {
   s.section = section_;
   s.width = s.op == Op::gather      ? static_cast<int>(s.lanes.size())
             : s.op == Op::sum_lanes ? 1
                                     : std::max(width(s.a), symbolic::is_binary(s.op) ? width(s.b) : 1);
   int start = 0;
   for_each_operand(s, [&](const Operand& o) { start = std::max(start, ready(o)); });
-  Made made = {std::move(s), place_, false, start + latency};
-  made_.push_back(std::move(made));
-  return {Operand::Kind::statement, static_cast<int>(made_.size()) - 1, false};
+  Scheduled scheduled = {std::move(s), place_, false, start + latency};
+  scheduled_.push_back(std::move(scheduled));
+  return {Operand::Kind::statement, static_cast<int>(scheduled_.size()) - 1, false};
 }
 
 int LaneBuilder::ready(const Operand& o) const {
-  return is_statement(o) ? made_[at(o.index)].ready : 0;
+  return is_statement(o) ? scheduled_[at(o.index)].ready : 0;
 }
 
 bool LaneBuilder::is_product(const Operand& o) const {
-  return is_statement(o) && o.lane < 0 && made_[at(o.index)].statement.op == Op::multiply;
+  return is_statement(o) && o.lane < 0 && scheduled_[at(o.index)].statement.op == Op::multiply;
 }
 
 bool LaneBuilder::is_sum_of_lanes(const Operand& o) const {
-  return is_statement(o) && o.lane < 0 && made_[at(o.index)].statement.op == Op::sum_lanes;
+  return is_statement(o) && o.lane < 0 && scheduled_[at(o.index)].statement.op == Op::sum_lanes;
 }
 
-Operand LaneBuilder::numbers(const Tuple& lanes, unsigned flips) {
-  const bool negative = flips & 1U;
+Operand LaneBuilder::numbers(const Tuple& lanes, unsigned negated_lanes) {
+  const bool negative = negated_lanes & 1U;
   std::vector<std::pair<int, bool>> key;
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    key.emplace_back(lanes[lane].index, (flips >> lane & 1U) != (negative ? 1U : 0U));
+    key.emplace_back(lanes[lane].index, (negated_lanes >> lane & 1U) != (negative ? 1U : 0U));
   Operand result;
   if (std::all_of(key.begin(), key.end(), [&](const auto& element) { return element == key.front(); })) {
     result = {Operand::Kind::constant, key.front().first, false};
@@ -99,7 +99,7 @@ Operand LaneBuilder::numbers(const Tuple& lanes, unsigned flips) {
     Tuple values;
     for (const auto& [index, is_negative] : key) values.push_back({Operand::Kind::constant, index, is_negative});
     result = gather(std::move(values));
-    made_.back().late = true;
+    scheduled_.back().late = true;
     numbers_.emplace(std::move(key), result);
   }
   result.negative = negative;
@@ -111,8 +111,8 @@ Operand LaneBuilder::gather(Tuple lanes) {
   s.op = Op::gather;
   const bool moves = std::any_of(lanes.begin(), lanes.end(), symbolic::is_statement);
   s.lanes = std::move(lanes);
-  const Operand result = make(std::move(s), moves ? symbolic::kMoveLatency : 0);
-  made_.back().late = true;
+  const Operand result = append(std::move(s), moves ? symbolic::kMoveLatency : 0);
+  scheduled_.back().late = true;
   return result;
 }
 
@@ -123,16 +123,16 @@ Operand LaneBuilder::product(Operand a, Operand b) {
   a.negative = b.negative = false;
   s.a = a;
   s.b = b;
-  Operand result = make(std::move(s), symbolic::kLatency);
+  Operand result = append(std::move(s), symbolic::kLatency);
   result.negative = negative;
   return result;
 }
 
 Operand LaneBuilder::quotient(Operand a, Operand b) {
   Operand result = product(a, b);
-  Made& made = made_.back();
-  made.statement.op = Op::divide;
-  made.ready += symbolic::latency(Op::divide) - symbolic::kLatency;
+  Scheduled& scheduled = scheduled_.back();
+  scheduled.statement.op = Op::divide;
+  scheduled.ready += symbolic::latency(Op::divide) - symbolic::kLatency;
   return result;
 }
 
@@ -140,7 +140,7 @@ Operand LaneBuilder::unary(Op op, const Operand& a) {
   Statement s;
   s.op = op;
   s.a = a;
-  return make(std::move(s), symbolic::latency(op));
+  return append(std::move(s), symbolic::latency(op));
 }
 
 Operand LaneBuilder::binary(Op op, const Operand& a, Operand b) {
@@ -187,8 +187,8 @@ Operand LaneBuilder::sum(std::vector<Operand> terms) {
     const int begin = std::max(ready(result), start(terms[k]));
     s.a = a;
     s.b = b;
-    result = make(std::move(s), symbolic::kLatency);
-    made_.back().ready = begin + symbolic::kLatency;
+    result = append(std::move(s), symbolic::kLatency);
+    scheduled_.back().ready = begin + symbolic::kLatency;
     result.negative = negative;
   }
   return result;
@@ -203,7 +203,7 @@ Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
     Statement s;
     s.op = Op::sum_lanes;
     s.a = packed_value;
-    known->second = make(std::move(s), symbolic::latency(Op::sum_lanes, lanes));
+    known->second = append(std::move(s), symbolic::latency(Op::sum_lanes, lanes));
   }
   Operand result = known->second;
   result.negative = negative;
@@ -212,7 +212,7 @@ Operand LaneBuilder::sum_lanes(const Operand& a, int lanes) {
 
 void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
   if (!is_statement(value) || value.lane >= 0) return;
-  Statement& s = made_[at(value.index)].statement;
+  Statement& s = scheduled_[at(value.index)].statement;
   if (s.quantity) return;
   std::vector<symbolic::QuantityRef> quantities;
   bool named = true;
@@ -231,45 +231,45 @@ void LaneBuilder::name(const Operand& value, const Tuple& lanes) {
 
 // Moves statements that bring numbers into lanes to their first user.
 void LaneBuilder::settle_late() {
-  std::vector<int> user(made_.size(), -1);
+  std::vector<int> user(scheduled_.size(), -1);
   const auto note = [&](const Operand& o, int reader) {
     if (!is_statement(o)) return;
     int& first = user[at(o.index)];
-    if (first < 0 || made_[at(reader)].place < made_[at(first)].place) first = reader;
+    if (first < 0 || scheduled_[at(reader)].place < scheduled_[at(first)].place) first = reader;
   };
-  for (std::size_t i = made_.size(); i-- > 0;) {
-    Made& made = made_[i];
-    if (made.late && user[i] >= 0) {
-      made.place = std::max(made_[at(user[i])].place, 0);
-      made.statement.section = made_[at(user[i])].statement.section;
+  for (std::size_t i = scheduled_.size(); i-- > 0;) {
+    Scheduled& scheduled = scheduled_[i];
+    if (scheduled.late && user[i] >= 0) {
+      scheduled.place = std::max(scheduled_[at(user[i])].place, 0);
+      scheduled.statement.section = scheduled_[at(user[i])].statement.section;
     }
     const int reader = static_cast<int>(i);
-    for_each_operand(made.statement, [&](const Operand& o) { note(o, reader); });
+    for_each_operand(scheduled.statement, [&](const Operand& o) { note(o, reader); });
   }
 }
 
 // The order of the statements: by place, operands before users.
 std::vector<int> LaneBuilder::order() const {
-  std::vector<std::vector<int>> readers(made_.size());
-  std::vector<int> missing(made_.size(), 0);
+  std::vector<std::vector<int>> readers(scheduled_.size());
+  std::vector<int> missing(scheduled_.size(), 0);
   const auto note = [&](const Operand& o, std::size_t reader) {
     if (!is_statement(o)) return;
     readers[at(o.index)].push_back(static_cast<int>(reader));
     ++missing[reader];
   };
-  for (std::size_t i = 0; i < made_.size(); ++i)
-    for_each_operand(made_[i].statement, [&](const Operand& o) { note(o, i); });
+  for (std::size_t i = 0; i < scheduled_.size(); ++i)
+    for_each_operand(scheduled_[i].statement, [&](const Operand& o) { note(o, i); });
   using Entry = std::pair<int, int>;  // place, index
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
-  for (std::size_t i = 0; i < made_.size(); ++i)
-    if (missing[i] == 0) ready.emplace(made_[i].place, static_cast<int>(i));
+  for (std::size_t i = 0; i < scheduled_.size(); ++i)
+    if (missing[i] == 0) ready.emplace(scheduled_[i].place, static_cast<int>(i));
   std::vector<int> result;
   while (!ready.empty()) {
     const int i = ready.top().second;
     ready.pop();
     result.push_back(i);
     for (const int reader : readers[at(i)])
-      if (--missing[at(reader)] == 0) ready.emplace(made_[at(reader)].place, reader);
+      if (--missing[at(reader)] == 0) ready.emplace(scheduled_[at(reader)].place, reader);
   }
   return result;
 }
@@ -277,14 +277,14 @@ std::vector<int> LaneBuilder::order() const {
 Program LaneBuilder::program(const std::vector<std::vector<Operand>>& outputs) {
   settle_late();
   const std::vector<int> places = order();
-  std::vector<int> index(made_.size(), -1);
+  std::vector<int> index(scheduled_.size(), -1);
   for (std::size_t k = 0; k < places.size(); ++k) index[at(places[k])] = static_cast<int>(k);
   const auto renumber = [&](Operand& o) {
     if (is_statement(o)) o.index = index[at(o.index)];
   };
   Program result = std::move(new_);
   for (const int i : places) {
-    Statement s = std::move(made_[at(i)].statement);
+    Statement s = std::move(scheduled_[at(i)].statement);
     for_each_operand(s, renumber);
     result.statements.push_back(std::move(s));
   }

@@ -23,7 +23,7 @@ class LaneBuilder {
   int width(const symbolic::Operand& o) const;
   symbolic::Operand constant(const symbolic::Constant& value);  // not negative
   // A value with these numbers in its lanes, some of them negated; a scalar if they are equal in all lanes.
-  symbolic::Operand numbers(const Tuple& lanes, unsigned flips);
+  symbolic::Operand numbers(const Tuple& lanes, unsigned negated_lanes);
   symbolic::Operand gather(Tuple lanes);
   symbolic::Operand product(symbolic::Operand a, symbolic::Operand b);
   symbolic::Operand quotient(symbolic::Operand a, symbolic::Operand b);
@@ -43,14 +43,14 @@ class LaneBuilder {
   symbolic::Program program(const std::vector<std::vector<symbolic::Operand>>& outputs);
 
  private:
-  struct Made {
+  struct Scheduled {
     symbolic::Statement statement;
     int place = 0;
     bool late = false;
     int ready = 0;  // the cycle after which the value is known
   };
 
-  symbolic::Operand make(symbolic::Statement s, int latency);
+  symbolic::Operand append(symbolic::Statement s, int latency);
   int ready(const symbolic::Operand& o) const;
   bool is_product(const symbolic::Operand& o) const;
   bool is_sum_of_lanes(const symbolic::Operand& o) const;
@@ -61,7 +61,7 @@ class LaneBuilder {
 
   const symbolic::Program& old_;
   symbolic::Program new_;
-  std::vector<Made> made_;
+  std::vector<Scheduled> scheduled_;
   std::map<std::vector<int>, int> sections_;                                // by the sections of the lanes
   std::map<std::vector<std::pair<int, bool>>, symbolic::Operand> numbers_;  // by constants and signs
   std::map<int, symbolic::Operand> sums_of_lanes_;                          // by statement

@@ -109,7 +109,7 @@ class LanePacker {
     LaneKey key;
     key.fill({Operand::Kind::constant, -1});
     for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
-      if (tuple[lane].negative) result.flips |= 1U << lane;
+      if (tuple[lane].negative) result.negated_lanes |= 1U << lane;
       tuple[lane].negative = false;
       key[lane] = {tuple[lane].kind, tuple[lane].index};
     }

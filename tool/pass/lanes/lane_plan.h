@@ -16,7 +16,7 @@ namespace robcogen::pass {
 // A packed value, negated in some of its lanes.
 struct Part {
   int packed_value = -1;  // into LanePlan::packed_values
-  unsigned flips = 0;
+  unsigned negated_lanes = 0;
 };
 
 // A value with a lane for each limb.

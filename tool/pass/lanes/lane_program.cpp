@@ -90,20 +90,20 @@ class LaneProgramBuilder {
   // one by one, and values with the same sign in all lanes can be stored as a vector.
   void make_root(const Part& root) {
     const PackedValue& w = plan_.packed_values[at(root.packed_value)];
-    const unsigned change = (signs_[at(root.packed_value)] ^ root.flips) & all_lanes(w);
+    const unsigned change = (signs_[at(root.packed_value)] ^ root.negated_lanes) & all_lanes(w);
     const bool is_operation = w.kind == PackedValue::Kind::operation || w.kind == PackedValue::Kind::sum;
     if (!is_operation || change == 0 || change == all_lanes(w)) return;
     builder_.begin(w.lanes, w.place);
-    const unsigned negated = root.flips & all_lanes(w);
+    const unsigned negated = root.negated_lanes & all_lanes(w);
     roots_.emplace(root.packed_value, Lanes{use(root.packed_value, negated), negated});
   }
 
   // The packed value with these lanes negated.
-  Operand use(int packed_value, unsigned flips) {
+  Operand use(int packed_value, unsigned negated_lanes) {
     const PackedValue& w = plan_.packed_values[at(packed_value)];
-    if (w.kind == PackedValue::Kind::numbers) return builder_.numbers(w.lanes, flips & all_lanes(w));
+    if (w.kind == PackedValue::Kind::numbers) return builder_.numbers(w.lanes, negated_lanes & all_lanes(w));
     const bool is_leaf = w.kind == PackedValue::Kind::broadcast || w.kind == PackedValue::Kind::gather;
-    unsigned change = (flips ^ (is_leaf ? 0U : signs_[at(packed_value)])) & all_lanes(w);
+    unsigned change = (negated_lanes ^ (is_leaf ? 0U : signs_[at(packed_value)])) & all_lanes(w);
     const bool negative = change & 1U;
     if (negative) change ^= all_lanes(w);
     Operand result = packed_[at(packed_value)];
@@ -139,7 +139,7 @@ class LaneProgramBuilder {
       }
       case PackedValue::Kind::sum: {
         std::vector<Operand> terms;
-        for (const Part& part : w.parts) terms.push_back(use(part.packed_value, signs_[index] ^ part.flips));
+        for (const Part& part : w.parts) terms.push_back(use(part.packed_value, signs_[index] ^ part.negated_lanes));
         made = builder_.sum(std::move(terms));
         break;
       }
@@ -155,14 +155,14 @@ class LaneProgramBuilder {
     const auto own = [&](const Part& part) { return signs_[at(part.packed_value)]; };
     if (symbolic::is_binary(w.op)) {
       const Part b = w.parts[1];
-      const unsigned both = sign ^ a.flips ^ b.flips;
+      const unsigned both = sign ^ a.negated_lanes ^ b.negated_lanes;
       const unsigned of_a = is_numbers(a) ? both ^ own(b) : own(a);
       const Operand first = use(a.packed_value, of_a), second = use(b.packed_value, both ^ of_a);
       return w.op == Op::multiply ? builder_.product(first, second) : builder_.quotient(first, second);
     }
-    if (w.op == Op::square_root) return builder_.unary(w.op, use(a.packed_value, a.flips));
+    if (w.op == Op::square_root) return builder_.unary(w.op, use(a.packed_value, a.negated_lanes));
     Operand angle = use(a.packed_value, own(a));
-    const bool odd = w.op == Op::sine && (angle.negative != ((own(a) ^ a.flips ^ sign) & 1U));
+    const bool odd = w.op == Op::sine && (angle.negative != ((own(a) ^ a.negated_lanes ^ sign) & 1U));
     angle.negative = false;
     Operand result = builder_.unary(w.op, angle);
     result.negative = odd;

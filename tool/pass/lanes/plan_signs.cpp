@@ -32,7 +32,7 @@ class SignChoice {
 
   const PackedValue& packed_value(const Part& part) const { return plan_.packed_values[at(part.packed_value)]; }
   Sign sign_of(const Part& part) const {
-    return signs_.product(sign_[at(part.packed_value)], signs_.fixed(part.flips));
+    return signs_.product(sign_[at(part.packed_value)], signs_.fixed(part.negated_lanes));
   }
   bool is_numbers(const Part& part) const { return packed_value(part).kind == PackedValue::Kind::numbers; }
 
