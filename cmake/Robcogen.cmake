@@ -28,6 +28,11 @@
 #       [DERIVATIVES function:input…]
 #                                   # partial derivatives of any functions by any of their inputs, as further functions:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_d_q_qd
+#       [GRADIENTS function:input…] # gradients of a weighted sum of a function's results, by reverse mode:
+#                                   # inverse_dynamics:q,qd makes inverse_dynamics_gradient_q_qd, which takes weights
+#       [TANGENTS function:input…]  # rates of a function's results at given rates of inputs, by forward mode:
+#                                   # inverse_dynamics:q,qd makes inverse_dynamics_tangent_q_qd, which takes q_tangent and
+#                                   # qd_tangent. The functions of all three may be among each other's
 #       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
 #                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs.
 #                                   # FRAMES * for all
@@ -126,7 +131,7 @@ _robcogen_read_groups()
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
-  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES GRADIENTS TANGENTS FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -280,7 +285,7 @@ function(_robcogen_choose_groups)
     list(APPEND chosen ${compatibility_groups})
     list(REMOVE_DUPLICATES chosen)
   endif()
-  if(library_DERIVATIVES)
+  if(library_DERIVATIVES OR library_GRADIENTS OR library_TANGENTS)
     list(APPEND chosen derivatives)
   endif()
   set(library_groups ${chosen} PARENT_SCOPE)
@@ -391,9 +396,8 @@ function(_robcogen_generate_arguments result)
   if(library_ALGORITHMS)
     list(APPEND arguments --algorithms ${library_ALGORITHMS})
   endif()
-  if(library_DERIVATIVES)
-    list(APPEND arguments --derivatives ${library_DERIVATIVES})
-  endif()
+  _robcogen_derivative_options(derivatives)
+  list(APPEND arguments ${derivatives})
   _robcogen_append_joined(arguments FUNCTIONS --function " ")
   _robcogen_append_joined(arguments FRAMES --frames ",")
   _robcogen_append_joined(arguments CONTACTS --contacts ",")

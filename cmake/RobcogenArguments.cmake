@@ -68,11 +68,25 @@ endfunction()
 
 # Checks the form of the elements only; the generator checks functions and inputs.
 function(_robcogen_check_derivatives)
-  foreach(element IN LISTS library_DERIVATIVES)
-    if(NOT element MATCHES "^[^:,]+((\\.|::)[^:,]+)*:[A-Za-z_][A-Za-z0-9_]*(,[A-Za-z_][A-Za-z0-9_]*)*$")
-      _robcogen_refuse("DERIVATIVES: '${element}' is not function:input or function:input,input, such as inverse_dynamics:q,qd")
+  foreach(keyword DERIVATIVES GRADIENTS TANGENTS)
+    foreach(element IN LISTS library_${keyword})
+      if(NOT element MATCHES "^[^:,]+((\\.|::)[^:,]+)*:[A-Za-z_][A-Za-z0-9_]*(,[A-Za-z_][A-Za-z0-9_]*)*$")
+        _robcogen_refuse("${keyword}: '${element}' is not function:input or function:input,input, such as inverse_dynamics:q,qd")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+# Sets `options` to the options of the generator for the same.
+function(_robcogen_derivative_options options)
+  set(result "")
+  foreach(keyword DERIVATIVES GRADIENTS TANGENTS)
+    if(library_${keyword})
+      string(TOLOWER ${keyword} option)
+      list(APPEND result --${option} ${library_${keyword}})
     endif()
   endforeach()
+  set(${options} ${result} PARENT_SCOPE)
 endfunction()
 
 # Checks the form only, as above.

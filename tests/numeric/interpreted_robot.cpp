@@ -229,6 +229,16 @@ Matrix<double> InterpretedRobot::coriolis_matrix(const State& m) const {
   return matrix(run("coriolis_matrix", {}, inputs_of(m)).at("C"), floating_ ? 6 + dof_ : dof_);
 }
 
+reference::MomentumAndRate InterpretedRobot::generalized_momentum(const State& m, const Arguments& arguments) const {
+  const auto results = run("generalized_momentum", {arguments.gravity, nullptr}, inputs_of(m));
+  return {vector(results.at("p")), vector(results.at("rate"))};
+}
+
+reference::PathTerms InterpretedRobot::path_dynamics(const State& m, const Arguments& arguments) const {
+  const auto results = run("path_dynamics", {arguments.gravity, nullptr}, inputs_of(m));
+  return {vector(results.at("a")), vector(results.at("b")), vector(results.at("c"))};
+}
+
 reference::Derivatives InterpretedRobot::derivatives(
     const symbolic::Arrays<double>& results,
     const std::string& base,
@@ -394,6 +404,8 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_inertia_factor(robot, c, checks);
     check_factor_dynamics(robot, c, checks);
     check_coriolis_matrix(robot, c, checks);
+    check_generalized_momentum(robot, c, checks);
+    if (!c.floating) check_path_dynamics(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
     if (robot.has("regressor")) {
       check_parameters_of_regressors(robot, c, checks);

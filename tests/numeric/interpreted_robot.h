@@ -65,6 +65,8 @@ class InterpretedRobot {
   reference::Matrix<double> joint_space_inertia(const Vector<double>& q) const;
   reference::FactorResults inertia_factor(const reference::Vector<double>& q, const reference::Vector<double>& x) const;
   reference::Matrix<double> coriolis_matrix(const State& m) const;
+  reference::MomentumAndRate generalized_momentum(const State& m, const reference::Arguments& arguments) const;
+  reference::PathTerms path_dynamics(const State& m, const reference::Arguments& arguments) const;
   reference::Derivatives inverse_dynamics_fully_actuated_derivatives(
       const State& m,
       const reference::Arguments& arguments) const;

@@ -112,6 +112,21 @@ class Right {
     const Matrix<Real> skew = 1 / dot(v, v) * (rest * transpose(v) - v * transpose(rest));
     return (half + skew).cast<double>();
   }
+  MomentumAndRate generalized_momentum(const Motion<double>& m, const Arguments& arguments) const {
+    const Vector<double> v = coordinates(robot_.floating_base, m.base_velocity, m.qd);
+    const Matrix<double> C = coriolis_matrix(m);
+    const Vector<double> bias = bias_forces(m, arguments);
+    return {joint_space_inertia(m.q) * v, (C + transpose(C)) * v - bias};
+  }
+  PathTerms path_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+    Motion<double> still = m, steady = m;
+    still.qd = Vector<double>(m.qd.rows());
+    still.qdd = still.qd;
+    steady.qdd = still.qd;
+    const Vector<double> c = inverse_dynamics_fully_actuated(still, arguments);
+    const Matrix<double> H = joint_space_inertia(m.q);
+    return {H * m.qd, H * m.qdd + coriolis_forces(steady), c};
+  }
   TransformForms transform(int index, const Vector<double>& q) const {
     const reflection::Transform& t = robot_.transforms[index];
     const Matrix<double> X = reference::transform(robot_, q, t.left, t.right);
@@ -282,6 +297,8 @@ std::string failures(bool floating) {
     check_inertia_factor(subject, c, checks);
     check_factor_dynamics(subject, c, checks);
     check_coriolis_matrix(subject, c, checks);
+    check_generalized_momentum(subject, c, checks);
+    if (!c.floating) check_path_dynamics(subject, c, checks);
     if constexpr (std::is_base_of_v<RightDerivatives, Subject>) {
       check_inverse_dynamics_derivatives(subject, c, checks);
       check_free_inverse_dynamics_derivatives(subject, c, checks);

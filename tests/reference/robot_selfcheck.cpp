@@ -45,6 +45,8 @@ AnySubject subject_of(const std::shared_ptr<const CompiledRobot<R>>& robot) {
   if constexpr (kHasPassiveForces) s.passive_forces = bound(robot, &Compiled::passive_forces);
   if constexpr (kHasFactor) s.inertia_factor = bound(robot, &Compiled::inertia_factor);
   if constexpr (kHasCoriolisMatrix) s.coriolis_matrix = bound(robot, &Compiled::coriolis_matrix);
+  if constexpr (kHasControlTerms) s.generalized_momentum = bound(robot, &Compiled::generalized_momentum);
+  if constexpr (kHasControlTerms && !R::kFloatingBase) s.path_dynamics = bound(robot, &Compiled::path_dynamics);
   if constexpr (kHasInverseDynamicsDerivatives) {
     s.inverse_dynamics_fully_actuated_derivatives =
         bound(robot, &Compiled::inverse_dynamics_fully_actuated_derivatives);

@@ -66,6 +66,8 @@ void check_control(const AnySubject& subject, const Case& c, Checks& checks) {
   if (subject.inertia_factor && subject.bias_forces && subject.forward_dynamics)
     check_factor_dynamics(subject, c, checks);
   if (subject.coriolis_matrix) check_coriolis_matrix(subject, c, checks);
+  if (subject.generalized_momentum) check_generalized_momentum(subject, c, checks);
+  if (subject.path_dynamics) check_path_dynamics(subject, c, checks);
   if (subject.center_of_mass) check_center_of_mass(subject, c, checks);
   if (subject.center_of_mass) check_centroidal_momentum(subject, c, checks);
   if (subject.center_of_mass && subject.forward_dynamics) check_free_fall(subject, c, checks);

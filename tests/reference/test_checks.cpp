@@ -223,6 +223,30 @@ TEST(Checks, FindACoriolisMatrixTransposed) {
   expect_found<Wrong>({"coriolis_matrix times velocity"});
 }
 
+TEST(Checks, FindAMomentumWhoseRateLacksCoriolisForces) {
+  struct Wrong : Right {
+    using Right::Right;
+    MomentumAndRate generalized_momentum(const Motion<double>& m, const Arguments& arguments) const {
+      MomentumAndRate result = Right::generalized_momentum(m, arguments);
+      result.rate = -1 * bias_forces(m, arguments);
+      return result;
+    }
+  };
+  expect_found<Wrong>({"rate of generalized_momentum", "rate of generalized_momentum (gravity)"});
+}
+
+TEST(Checks, FindPathDynamicsWithoutCoriolisForces) {
+  struct Wrong : Right {
+    using Right::Right;
+    PathTerms path_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+      PathTerms terms = Right::path_dynamics(m, arguments);
+      terms.b = joint_space_inertia(m.q) * m.qdd;
+      return terms;
+    }
+  };
+  expect_found<Wrong>({"path_dynamics", "path_dynamics (gravity)"}, {false});
+}
+
 // A NaN is not a pass.
 TEST(Checks, FindWhatIsNoNumber) {
   struct Wrong : Right {

@@ -262,6 +262,11 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
       "--derivatives", model.derivatives,
       "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
       "inverse_dynamics:q,qd");
+  subcommand.add_option(
+      "--gradients", model.gradients,
+      "The same, for the gradient of a weighted sum of the function's results instead of matrices");
+  subcommand.add_option(
+      "--tangents", model.tangents, "The same, for the rates of the function's results at given rates of these inputs");
   declare_import_folders(subcommand, model.import_folders);
   declare_format_options(subcommand, model.format);
   declare_messages(subcommand, model.messages);

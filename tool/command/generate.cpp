@@ -284,7 +284,7 @@ Status list_outputs(const GenerateOptions& options) {
     if (language->name != "cpp" && language->name != "c") continue;
     std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));
-    if (!options.model.derivatives.empty()) groups.emplace_back(driver::kDerivativesGroup);
+    if (options.model.asks_for_derivatives()) groups.emplace_back(driver::kDerivativesGroup);
     if (language->name == "c") {
       if (!transforms) groups.insert(groups.begin(), backend::c::kParametersGroup);
       const std::string prefix = backend::flat(options.names.enclosing, options.names.name);

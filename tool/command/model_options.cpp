@@ -120,7 +120,12 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.import_folders = import_folders;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);
-  for (const std::string& text : derivatives) options.derivatives.push_back(driver::parse_derivative(text));
+  using symbolic::DerivativeForm;
+  for (const auto& [texts, form] :
+       {std::pair{&derivatives, DerivativeForm::matrix},
+        {&gradients, DerivativeForm::gradient},
+        {&tangents, DerivativeForm::tangent}})
+    for (const std::string& text : *texts) options.derivatives.push_back(driver::parse_derivative(text, form));
   options.contacts = contacts;
   options.inverses = inverses;
   options.frames = frames;

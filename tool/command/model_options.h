@@ -53,9 +53,11 @@ struct ModelOptions {
   std::vector<std::filesystem::path> import_folders;
   Rendering messages;
   driver::Steps steps;
-  std::vector<std::string> derivatives;  // `function:input,…`
-  bool quiet = false;                    // prints no warnings and notes
-  bool lists_parameters = false;         // adds a note with the model's parameters; not an option itself
+  std::vector<std::string> derivatives, gradients, tangents;  // `function:input,…`
+  bool quiet = false;                                         // prints no warnings and notes
+  bool lists_parameters = false;  // adds a note with the model's parameters; not an option itself
+
+  bool asks_for_derivatives() const { return !derivatives.empty() || !gradients.empty() || !tangents.empty(); }
 
   // Loads the model and reports diagnostics. Returns nullopt if there was an error, for example because a robot cannot
   // have one of these groups.

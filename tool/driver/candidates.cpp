@@ -65,7 +65,7 @@ void choose_candidate(
 }  // namespace
 
 bool has_formulation(const Function& function) {
-  return function.derivative || algorithm::is_formulated(*function.declared);
+  return !function.derivatives_in_turn.empty() || algorithm::is_formulated(*function.declared);
 }
 
 std::string print(const Recipe& recipe) {
@@ -105,8 +105,9 @@ FormulationChoices& Formulations::of(Formulated formulated) {
 symbolic::Function traced(const Function& function, FormulationChoices& choices) {
   symbolic::Function result = algorithm::trace(*function.declared, choices);
   if (!result.parts.empty()) require_compilable(result);
-  if (!function.derivative) return result;
-  return differentiated(std::move(result), *function.derivative, *function.declared, choices);
+  for (const Derivative* derivative : function.derivatives_in_turn)
+    result = differentiated(std::move(result), *derivative, *function.declared, choices);
+  return result;
 }
 
 std::vector<std::vector<Recipe>> recipes(const Passes& passes) {

@@ -16,9 +16,27 @@ namespace robcogen::driver {
 namespace {
 
 using algorithm::Declared;
+using symbolic::DerivativeForm;
 using symbolic::DerivativeMode;
 using symbolic::Program;
 using symbolic::Role;
+
+// The words for each form: the option, and what stands in the names of functions.
+struct Words {
+  const char *option, *infix;
+};
+
+Words words_of(DerivativeForm form) {
+  switch (form) {
+    case DerivativeForm::gradient:
+      return {"--gradients", "gradient"};
+    case DerivativeForm::tangent:
+      return {"--tangents", "tangent"};
+    case DerivativeForm::matrix:
+      break;
+  }
+  return {"--derivatives", "d"};
+}
 
 std::string text_of(const Derivative& derivative) {
   return fmt::format("{}:{}", derivative.function, fmt::join(derivative.inputs, ","));
@@ -26,7 +44,10 @@ std::string text_of(const Derivative& derivative) {
 
 [[noreturn]] void refuse(const Derivative& derivative, const std::string& message, const std::string& hint = "") {
   throw Failure{
-      wrong_usage, with_hint(fmt::format("robcogen: error: --derivatives {}: {}", text_of(derivative), message), hint)};
+      wrong_usage,
+      with_hint(
+          fmt::format("robcogen: error: {} {}: {}", words_of(derivative.form).option, text_of(derivative), message),
+          hint)};
 }
 
 bool takes(const Program& program, const std::string& input) {
@@ -92,7 +113,69 @@ void require_inputs(const Derivative& derivative, const std::vector<Program>& al
 
 // The suffix of the function's name.
 std::string suffix_of(const Derivative& derivative) {
-  return fmt::format("_d_{}", fmt::join(derivative.inputs, "_"));
+  return fmt::format("_{}_{}", words_of(derivative.form).infix, fmt::join(derivative.inputs, "_"));
+}
+
+std::string suffix_of(const std::vector<const Derivative*>& derivatives_in_turn) {
+  std::string suffix;
+  for (const Derivative* derivative : derivatives_in_turn) suffix += suffix_of(*derivative);
+  return suffix;
+}
+
+// The inputs and outputs of the function with its derivatives, by their names alone.
+Program outline_with(Program outline, const Derivative& derivative) {
+  const std::vector<symbolic::OutputArray> results = outline.outputs;
+  const auto add_input = [&](const std::string& name) { outline.inputs.push_back({name, Role::value, {}}); };
+  const auto add_output = [&](const std::string& name) { outline.outputs.push_back({name, Role::value, 0, 1, {}}); };
+  if (derivative.form == DerivativeForm::gradient)
+    for (const symbolic::WeightedOutputs& weights : symbolic::weights_of_outputs(outline)) add_input(weights.name);
+  if (derivative.form == DerivativeForm::tangent)
+    for (const symbolic::OutputArray& of : results) add_output(symbolic::name_of_tangent(of.name));
+  for (const std::string& input : derivative.inputs) {
+    if (derivative.form == DerivativeForm::tangent) add_input(symbolic::name_of_tangent(input));
+    if (derivative.form == DerivativeForm::gradient) add_output(symbolic::name_of_gradient(input));
+    if (derivative.form == DerivativeForm::matrix)
+      for (const symbolic::OutputArray& of : results)
+        add_output(symbolic::name_of_block(results.size(), of.name, input));
+  }
+  return outline;
+}
+
+// For derivatives of derivatives, which may have such arguments and results already.
+void require_new_names(const Derivative& derivative, const Program& outline) {
+  std::vector<std::string> names;
+  const auto require = [&](const std::string& name) {
+    if (std::count(names.begin(), names.end(), name) > 0)
+      refuse(
+          derivative,
+          fmt::format("{} has '{}' already, an argument or a result [repeated-derivative]", derivative.function, name));
+    names.push_back(name);
+  };
+  const Program with = outline_with(outline, derivative);
+  for (const symbolic::InputArray& array : with.inputs) require(array.name);
+  names.clear();
+  for (const symbolic::OutputArray& array : with.outputs) require(array.name);
+}
+
+// In the form that is asked for; nullopt if it takes more than kMaxExpressions.
+std::optional<Program> program_with(
+    const Program& program,
+    const Derivative& derivative,
+    DerivativeMode mode,
+    const symbolic::FollowerRates& rates) {
+  const std::size_t place = symbolic::place_of_loads(program);
+  std::optional<Program> result;
+  switch (derivative.form) {
+    case DerivativeForm::matrix:
+      return symbolic::with_derivatives(program, derivative.inputs, mode, kMaxExpressions, rates);
+    case DerivativeForm::gradient:
+      result = symbolic::with_gradient(program, symbolic::weights_of_outputs(program), derivative.inputs, place, rates);
+      break;
+    case DerivativeForm::tangent:
+      result = symbolic::with_tangents(program, derivative.inputs, place, rates);
+      break;
+  }
+  return result->statements.size() > kMaxExpressions ? std::nullopt : std::move(result);
 }
 
 // `hint`: for a refusal.
@@ -102,7 +185,7 @@ Program differentiated(
     DerivativeMode mode,
     const symbolic::FollowerRates& rates,
     const std::string& hint) {
-  std::optional<Program> result = symbolic::with_derivatives(program, derivative.inputs, mode, kMaxExpressions, rates);
+  std::optional<Program> result = program_with(program, derivative, mode, rates);
   if (!result)
     refuse(
         derivative,
@@ -119,11 +202,51 @@ Program differentiated(
   return std::move(*result);
 }
 
-std::string summary_of(const Derivative& derivative) {
+std::string summary_of(const Derivative& derivative, const Program& program) {
+  const std::string inputs = fmt::format("{}", fmt::join(derivative.inputs, ", "));
+  if (derivative.form == DerivativeForm::gradient) {
+    std::vector<std::string> sums;
+    for (const symbolic::WeightedOutputs& weights : symbolic::weights_of_outputs(program))
+      sums.push_back(fmt::format("{} times {}", weights.name, weights.outputs.front()));
+    return fmt::format(
+        "With the gradient of {} by {}, element by element (of a matrix, column by column): the transpose of the "
+        "partial derivatives times the weights, by reverse mode at a small multiple of the cost of the function.",
+        fmt::join(sums, " plus "), inputs);
+  }
+  if (derivative.form == DerivativeForm::tangent) {
+    std::vector<std::string> rates;
+    for (const std::string& input : derivative.inputs) rates.push_back(symbolic::name_of_tangent(input));
+    return fmt::format(
+        "With the rates of the results when {} change at the rates {}: the partial derivatives times these rates, by "
+        "forward mode at a small multiple of the cost of the function.",
+        inputs, fmt::join(rates, ", "));
+  }
   return fmt::format(
       "With partial derivatives by {}: one row per element of the result, in the order of its columns, and one column "
       "per element of the argument.",
-      fmt::join(derivative.inputs, ", "));
+      inputs);
+}
+
+// Where the derivatives are among the results, to be checked by differences.
+std::vector<symbolic::DerivativeBlock> blocks_of(const Program& program, const Derivative& derivative) {
+  std::vector<symbolic::DerivativeBlock> blocks;
+  const auto results = static_cast<int>(program.outputs.size());
+  int place = results;
+  for (const std::string& input : derivative.inputs) {
+    switch (derivative.form) {
+      case DerivativeForm::matrix:
+        for (int k = 0; k < results; ++k) blocks.push_back({k, input, place++});
+        break;
+      case DerivativeForm::gradient:
+        blocks.push_back(
+            {0, input, place++, derivative.form, symbolic::weights_of_outputs(program).front().name, results});
+        break;
+      case DerivativeForm::tangent:
+        blocks.push_back({0, input, place, derivative.form, symbolic::name_of_tangent(input), results});
+        break;
+    }
+  }
+  return blocks;
 }
 
 symbolic::Function differentiated(
@@ -132,36 +255,32 @@ symbolic::Function differentiated(
     DerivativeMode mode,
     const symbolic::FollowerRates& rates = {},
     const std::string& hint = "") {
-  std::vector<symbolic::DerivativeBlock> blocks;
-  const auto values = static_cast<int>(function.program.outputs.size());
-  int place = values;
   bool is_by_turns = false, has_followers = false, is_by_rotation = false;
   for (const std::string& input : derivative.inputs) {
     is_by_rotation = is_by_rotation || input == symbolic::kBaseRotation;
-    for (int k = 0; k < values; ++k, ++place) {
-      for (const symbolic::InputArray& array : function.program.inputs) {
-        if (array.name != input) continue;
-        is_by_turns = is_by_turns || !array.quaternions.empty();
-        has_followers = has_followers || array.followers > 0;
-      }
-      blocks.push_back({k, input, place});
+    for (const symbolic::InputArray& array : function.program.inputs) {
+      if (array.name != input) continue;
+      is_by_turns = is_by_turns || !array.quaternions.empty();
+      has_followers = has_followers || array.followers > 0;
     }
   }
-  function.derivatives = std::move(blocks);
+  function.derivatives = blocks_of(function.program, derivative);
+  function.summary.push_back(summary_of(derivative, function.program));
   function.program = differentiated(function.program, derivative, mode, rates, hint);
   function.name += suffix_of(derivative);
   function.kernel = function.program.name;
-  function.summary.push_back(summary_of(derivative));
+  const char* elements = derivative.form == DerivativeForm::matrix ? "columns" : "elements";
   if (is_by_turns)
-    function.summary.emplace_back(
-        "A quaternion has three columns in place of four: rotations (rad) about the axes of the child.");
+    function.summary.push_back(fmt::format(
+        "A quaternion has three {} in place of four: rotations (rad) about the axes of the child.", elements));
   if (is_by_rotation)
-    function.summary.emplace_back(
-        "`base_rotation` has three columns: rotations (rad) of the base about its own axes; gravity is fixed in the "
-        "world "
-        "and changes in base coordinates.");
+    function.summary.push_back(fmt::format(
+        "`base_rotation` has three {}: rotations (rad) of the base about its own axes; gravity is fixed in the world "
+        "and changes in base coordinates.",
+        elements));
   if (has_followers)
-    function.summary.emplace_back("The last elements of q have no columns: they follow the others through the loops.");
+    function.summary.push_back(
+        fmt::format("The last elements of q have no {}: they follow the others through the loops.", elements));
   return function;
 }
 
@@ -193,7 +312,7 @@ std::vector<const Derivative*> distinct(const std::vector<Derivative>& list) {
   std::vector<const Derivative*> result;
   for (const Derivative& d : list) {
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const Derivative* other) {
-      return other->function == d.function && other->inputs == d.inputs;
+      return other->function == d.function && other->inputs == d.inputs && other->form == d.form;
     });
     if (!is_known) result.push_back(&d);
   }
@@ -202,18 +321,18 @@ std::vector<const Derivative*> distinct(const std::vector<Derivative>& list) {
 
 }  // namespace
 
-Derivative parse_derivative(const std::string& text) {
+Derivative parse_derivative(const std::string& text, DerivativeForm form) {
   const auto refuse_text = [&](const std::string& message) {
     throw Failure{
         wrong_usage, fmt::format(
-                         "robcogen: error: --derivatives '{}': {} [wrong-derivative]\nhint: write function:input or "
+                         "robcogen: error: {} '{}': {} [wrong-derivative]\nhint: write function:input or "
                          "function:input,input, such as inverse_dynamics:q,qd",
-                         text, message)};
+                         words_of(form).option, text, message)};
   };
   // `jacobians::A_J_B:q`, as in C++, means the same as `jacobians.A_J_B:q`.
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) refuse_text("no input to differentiate with respect to");
-  Derivative result{dotted("", text.substr(0, colon)), {}};
+  Derivative result{dotted("", text.substr(0, colon)), {}, form};
   if (result.function.empty() || result.function.back() == ':') refuse_text("no function to differentiate");
   for (std::size_t begin = colon + 1; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -228,33 +347,69 @@ Derivative parse_derivative(const std::string& text) {
   return result;
 }
 
-Function function_of(Declared declared, const Derivative* derivative) {
+Function function_of(Declared declared, std::vector<const Derivative*> derivatives_in_turn) {
   Function function;
-  const std::string suffix = derivative ? suffix_of(*derivative) : "";
-  function.group = derivative ? kDerivativesGroup : declared.is->group;
+  const std::string suffix = suffix_of(derivatives_in_turn);
+  function.group = suffix.empty() ? declared.is->group : kDerivativesGroup;
   function.scope = declared.is->scope;
   function.name = declared.name + suffix;
   function.kernel = declared.kernel + suffix;
   function.declared = std::make_shared<const Declared>(std::move(declared));
-  function.derivative = derivative;
+  function.derivatives_in_turn = std::move(derivatives_in_turn);
   return function;
 }
+
+namespace {
+
+// This derivative, after those of which it is the derivative.
+std::vector<const Derivative*> in_turn(const Derivative& derivative, const std::vector<Derivative>& all) {
+  for (const Derivative& inner : all) {
+    if (inner.function + suffix_of(inner) != derivative.function) continue;
+    std::vector<const Derivative*> result = in_turn(inner, all);
+    result.push_back(&derivative);
+    return result;
+  }
+  return {&derivative};
+}
+
+// The overloads that have these derivatives. Throws a Failure if there is none.
+std::vector<Declared> overloads_with(
+    const std::vector<const Derivative*>& derivatives_in_turn,
+    std::vector<Declared> overloads) {
+  std::vector<Program> outlines;
+  for (const Declared& overload : overloads) outlines.push_back(algorithm::outline(overload));
+  for (const Derivative* derivative : derivatives_in_turn) {
+    require_inputs(*derivative, outlines);
+    std::vector<Declared> remaining;
+    std::vector<Program> with_derivative;
+    for (std::size_t k = 0; k < overloads.size(); ++k) {
+      if (!takes_all(outlines[k], *derivative)) continue;
+      require_new_names(*derivative, outlines[k]);
+      remaining.push_back(std::move(overloads[k]));
+      with_derivative.push_back(outline_with(std::move(outlines[k]), *derivative));
+    }
+    overloads = std::move(remaining);
+    outlines = std::move(with_derivative);
+  }
+  return overloads;
+}
+
+}  // namespace
 
 std::vector<Function> derivative_functions(const Robot& robot, const std::filesystem::path& model) {
   std::vector<Function> list;
   for (const Derivative* derivative : distinct(robot.derivatives)) {
-    const std::vector<Declared> overloads = find_functions(robot, derivative->function);
+    const std::vector<const Derivative*> derivatives_in_turn = in_turn(*derivative, robot.derivatives);
+    const std::string& name = derivatives_in_turn.front()->function;
+    std::vector<Declared> overloads = find_functions(robot, name);
     if (overloads.empty())
-      refuse_function(fmt::format("robot '{}'", robot.tree.name), model, derivative->function, function_names(robot));
+      refuse_function(fmt::format("robot '{}'", robot.tree.name), model, name, function_names(robot));
     if (overloads.front().is->scope == std::string("inertia_factor"))
       refuse(
           *derivative, "functions of an inertia factor take an object, not numbers",
           "joint_space_inertia and forward_dynamics have derivatives");
-    std::vector<Program> outlines;
-    for (const Declared& overload : overloads) outlines.push_back(algorithm::outline(overload));
-    require_inputs(*derivative, outlines);
-    for (std::size_t k = 0; k < overloads.size(); ++k)
-      if (takes_all(outlines[k], *derivative)) list.push_back(function_of(overloads[k], derivative));
+    for (Declared& overload : overloads_with(derivatives_in_turn, std::move(overloads)))
+      list.push_back(function_of(std::move(overload), derivatives_in_turn));
   }
   return list;
 }

@@ -18,13 +18,13 @@ inline constexpr const char* kDerivativesGroup = "derivatives";
 inline constexpr std::size_t kMaxExpressions = 200'000;
 
 // Parses `function:input` or `function:input,input`. Throws a Failure for any other text.
-Derivative parse_derivative(const std::string& text);
+Derivative parse_derivative(const std::string& text, symbolic::DerivativeForm form = symbolic::DerivativeForm::matrix);
 
-// The functions with the derivatives that are asked for: `f_d_q_qd` has those of `f` by `q` and `qd`. It is in the
-// scope of f, and there is one for each overload of f that takes these inputs. Its results are those of f, then for
-// each input and each result a matrix with one row per element of the result (column by column) and one column per
-// element of the input (symbolic/derivative.h). Throws a Failure that names `model` if the robot has no such function,
-// or if the function has no such input.
+// The functions with the derivatives that are asked for: `f_d_q_qd` has those of `f` by `q` and `qd` as matrices,
+// `f_gradient_q_qd` the gradients of a weighted sum of its results, `f_tangent_q_qd` the rates of its results for given
+// rates of q and qd. It is in the scope of f, and there is one for each overload of f that takes these inputs. Its
+// results are those of f, then the derivatives (symbolic/derivative.h). f may be one of these functions itself. Throws
+// a Failure that names `model` if the robot has no such function, or if the function has no such input.
 std::vector<Function> derivative_functions(const Robot& robot, const std::filesystem::path& model);
 
 // The same for transforms, among whose functions are these.
@@ -42,6 +42,6 @@ symbolic::Function differentiated(
     const algorithm::FormulationChoices& choices);
 
 // A declared function by its names.
-Function function_of(algorithm::Declared declared, const Derivative* derivative = nullptr);
+Function function_of(algorithm::Declared declared, std::vector<const Derivative*> derivatives_in_turn = {});
 
 }  // namespace robcogen::driver

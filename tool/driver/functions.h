@@ -15,9 +15,9 @@ namespace robcogen::driver {
 
 // What is printed, once it is chosen; before that, its names.
 struct Function : symbolic::Function {
-  // Of a robot: what it is, and the derivatives that the user asks for, if any.
+  // Of a robot: what it is, and the derivatives that the user asks for, each of the function before it.
   std::shared_ptr<const algorithm::Declared> declared = {};
-  const Derivative* derivative = nullptr;
+  std::vector<const Derivative*> derivatives_in_turn = {};
 
   // The results against which rounding errors are measured, if they are.
   std::shared_ptr<const symbolic::AccurateResults> results = {};

@@ -59,7 +59,7 @@ symbolic::Function in_library(
 
 bool has_contacts(const Functions& functions) {
   return std::any_of(functions.list.begin(), functions.list.end(), [](const Function& f) {
-    return f.declared && f.declared->is->of == algorithm::Of::contacts && f.derivative == nullptr;
+    return f.declared && f.declared->is->of == algorithm::Of::contacts && f.derivatives_in_turn.empty();
   });
 }
 

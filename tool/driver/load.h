@@ -13,13 +13,16 @@
 #include "model/coordinate_transforms.h"
 #include "model/kinematic_tree.h"
 #include "support/diagnostics.h"
+#include "symbolic/derivative.h"
 
 namespace robcogen::driver {
 
-// A function, by the name that `ops` prints, and the inputs by which it is to be differentiated.
+// A function, by the name that `ops` prints, and the inputs by which it is to be differentiated. The function may be a
+// derivative that is asked for too.
 struct Derivative {
   std::string function;
   std::vector<std::string> inputs;
+  symbolic::DerivativeForm form = symbolic::DerivativeForm::matrix;
 };
 
 struct Robot {

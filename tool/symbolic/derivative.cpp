@@ -19,10 +19,10 @@ class Differentiated {
  public:
   explicit Differentiated(const Program& program) : Differentiated(program, program.inputs.size(), {}) {}
 
-  // Adds another input in front of the input array `place`, unless it has no elements.
-  Differentiated(const Program& program, std::size_t place, const InputArray& added)
+  // Adds further inputs in front of the input array `place`, but for those without elements.
+  Differentiated(const Program& program, std::size_t place, const std::vector<InputArray>& added)
       : program_(program),
-        added_(static_cast<int>(added.elements.size())),
+        added_(element_count(added)),
         rebuild_(
             graph_,
             program,
@@ -33,7 +33,8 @@ class Differentiated {
         shapes_(program.outputs) {
     if (program.has_lanes()) throw std::logic_error("derivatives of a program with lanes");
     for (std::size_t k = 0; k < place; ++k) place_ += static_cast<int>(program.inputs[k].elements.size());
-    if (added_ > 0) inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(place), added);
+    for (const InputArray& array : added)
+      if (!array.elements.empty()) inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(place++), array);
     // Inputs that nothing reads have a derivative too.
     for (int element = 0; element < program.input_count() + added_; ++element) graph_.input(element);
     rebuild_.keep_all();
@@ -75,6 +76,7 @@ class Differentiated {
     return outputs_of(graph(), rates, inputs).front();
   }
 
+  // The elements of all added inputs.
   std::vector<Expression> added() {
     std::vector<Expression> elements;
     for (int k = 0; k < added_; ++k) elements.push_back(graph_.input(place_ + k));
@@ -87,9 +89,12 @@ class Differentiated {
   }
 
   // The derivative of each node of the program by an input.
-  std::vector<Expression> tangents(const Expression& by) {
+  std::vector<Expression> tangents(const Expression& by) { return tangents(std::vector<Rate>{{by, graph().one()}}); }
+
+  // The rate of each node of the program when inputs change at these rates.
+  std::vector<Expression> tangents(const std::vector<Rate>& changes) {
     std::vector<Expression> d(size_);
-    d[at(by.node())] = graph().one();
+    for (const Rate& change : changes) d[at(change.of.node())] += change.rate;
     for (std::size_t i = 0; i < size_ && !is_full(); ++i) {
       const Node node = graph().nodes()[i];
       if (node.kind != Node::Kind::operation) continue;
@@ -120,12 +125,18 @@ class Differentiated {
  private:
   const Program& program_;
   Graph graph_;
-  int place_ = 0, added_ = 0;  // of the added input: its first element, the number of its elements
+  int place_ = 0, added_ = 0;  // of the added inputs: the first element, the number of elements
   Rebuild rebuild_;
   std::vector<InputArray> inputs_;
   std::vector<OutputArray> shapes_;
   std::vector<std::vector<Expression>> outputs_;
   std::size_t size_ = 0;  // nodes of the program
+
+  static int element_count(const std::vector<InputArray>& arrays) {
+    std::size_t count = 0;
+    for (const InputArray& array : arrays) count += array.elements.size();
+    return static_cast<int>(count);
+  }
 
   Expression input(int element) { return graph_.input(element < place_ ? element : element + added_); }
   static bool is_zero(const std::vector<Expression>& d, int node) { return d[at(node)].is_zero(); }
@@ -157,6 +168,31 @@ std::vector<Expression> by_turns(
       const Expression first = q[k] * d[x] - q[x] * d[k];
       const Expression second = q[z] * d[y] - q[y] * d[z];
       result.push_back(0.5 * (first + second));
+    }
+    k += 3;
+  }
+  return result;
+}
+
+// The rates of the elements, from rates of rotations (rad/s) in place of those of quaternion elements.
+std::vector<Expression> rates_from_turns(
+    const InputArray& array,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& turns) {
+  std::vector<Expression> result(q.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    if (std::find(array.quaternions.begin(), array.quaternions.end(), static_cast<int>(k)) == array.quaternions.end()) {
+      result[k] = turns[next++];
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t x = k + 1 + axis, y = k + 1 + (axis + 1) % 3, z = k + 1 + (axis + 2) % 3;
+      const Expression half = 0.5 * turns[next++];
+      result[k] -= half * q[x];
+      result[x] += half * q[k];
+      result[y] += half * q[z];
+      result[z] -= half * q[y];
     }
     k += 3;
   }
@@ -255,11 +291,6 @@ std::size_t columns_by(const InputArray& array) {
   return array.elements.size() - array.quaternions.size() - at(array.followers);
 }
 
-std::string name_of_block(const Program& program, const OutputArray& of, const std::string& input) {
-  const std::string name = "d_" + input;
-  return program.outputs.size() == 1 && of.name != name ? name : of.name + "_" + name;
-}
-
 // Derivatives by rotations of the base about its own axes, from those by gravity in base coordinates: the row D becomes
 // D x gravity.
 std::vector<Expression> by_rotation_of_base(const std::vector<Expression>& gravity, const std::vector<Expression>& d) {
@@ -277,17 +308,23 @@ Blocks blocks_by(Differentiated& d, const Indices& outputs, const std::vector<Ex
   return mode == Mode::forward ? forward_blocks(d, outputs, variables) : reverse_blocks(d, outputs, variables);
 }
 
-// By kBaseRotation.
-Blocks blocks_by_rotation(Differentiated& d, const Program& program, const Indices& outputs, Mode mode) {
+// The input for kBaseRotation.
+const InputArray& orientation_by_which_base_turns(const Program& program) {
   const InputArray* orientation = orientation_of_base(program);
   if (orientation == nullptr) throw std::logic_error("the program does not know how the base is oriented");
-  const bool is_pose = orientation->role == Role::base_pose;
-  std::vector<Expression> variables = d.input(orientation->name);
+  return *orientation;
+}
+
+// By kBaseRotation.
+Blocks blocks_by_rotation(Differentiated& d, const Program& program, const Indices& outputs, Mode mode) {
+  const InputArray& orientation = orientation_by_which_base_turns(program);
+  const bool is_pose = orientation.role == Role::base_pose;
+  std::vector<Expression> variables = d.input(orientation.name);
   variables.resize(is_pose ? 4 : 3);
   Blocks columns = blocks_by(d, outputs, variables, mode);
   for (std::vector<Expression>& block : columns)
     block = with_changed_rows(block, variables.size(), 3, [&](const std::vector<Expression>& row) {
-      return is_pose ? by_turns(*orientation, variables, row) : by_rotation_of_base(variables, row);
+      return is_pose ? by_turns(orientation, variables, row) : by_rotation_of_base(variables, row);
     });
   return columns;
 }
@@ -325,7 +362,8 @@ std::optional<Program> differentiated(
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const OutputArray& of = program.outputs[k];
       d.add_output(
-          name_of_block(program, of, input), Role::matrix, of.rows * of.columns, static_cast<int>(count), columns[k]);
+          name_of_block(program.outputs.size(), of.name, input), Role::matrix, of.rows * of.columns,
+          static_cast<int>(count), columns[k]);
     }
   }
   return d.finish();
@@ -405,36 +443,152 @@ Program with_second_derivatives(
   return work(reverse) < work(forward) ? std::move(reverse) : std::move(forward);
 }
 
+namespace {
+
+InputArray array_of_weights(const Program& program, const WeightedOutputs& weights) {
+  InputArray result{weights.name, Role::value, {}};
+  for (const std::string& name : weights.outputs) {
+    const std::size_t count = program.outputs[place_of_output(program, name)].values.size();
+    for (std::size_t k = 0; k < count; ++k) result.elements.push_back(name + "_" + std::to_string(k));
+  }
+  return result;
+}
+
+// The gradient by an input, from the adjoints of its elements.
+std::vector<Expression> gradient_by(
+    Differentiated& d,
+    const Program& program,
+    const std::string& input,
+    const std::vector<Expression>& adjoints,
+    const FollowerRates& rates) {
+  if (input != kBaseRotation) {
+    const std::vector<Expression> variables = d.input(input);
+    const InputArray& array = array_of(program, input);
+    return with_followers(d, array, rates, by_turns(array, variables, signed_values(adjoints, variables)));
+  }
+  const InputArray& orientation = orientation_by_which_base_turns(program);
+  std::vector<Expression> variables = d.input(orientation.name);
+  if (orientation.role != Role::base_pose) return by_rotation_of_base(variables, signed_values(adjoints, variables));
+  variables.resize(4);
+  return by_turns(orientation, variables, signed_values(adjoints, variables));
+}
+
+// The rates of all elements of an input, from those that with_tangents adds.
+std::vector<Rate> rates_of_input(
+    Differentiated& d,
+    const Program& program,
+    const std::string& input,
+    std::vector<Expression> given,
+    const FollowerRates& rates) {
+  const bool is_rotation = input == kBaseRotation;
+  const InputArray& array = is_rotation ? orientation_by_which_base_turns(program) : array_of(program, input);
+  std::vector<Expression> variables = d.input(array.name), of_elements;
+  if (is_rotation && array.role == Role::gravity) {
+    for (std::size_t x = 0; x < 3; ++x) {  // gravity x turn
+      const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+      of_elements.push_back(variables[y] * given[z] - variables[z] * given[y]);
+    }
+  } else {
+    if (is_rotation) variables.resize(4);
+    if (!is_rotation && array.followers > 0) {
+      const std::size_t kept = given.size(), count = at(array.followers);
+      const std::vector<Expression> factors = d.rates_of_followers(rates.value());
+      for (std::size_t f = 0; f < count; ++f) {
+        Expression rate;
+        for (std::size_t c = 0; c < kept; ++c) rate += factors[f + c * count] * given[c];
+        given.push_back(rate);
+      }
+    }
+    of_elements = rates_from_turns(array, variables, given);
+  }
+  std::vector<Rate> result;
+  for (std::size_t k = 0; k < variables.size(); ++k) result.push_back({variables[k], of_elements[k]});
+  return result;
+}
+
+}  // namespace
+
+std::size_t place_of_loads(const Program& program) {
+  const auto place = std::find_if(program.inputs.begin(), program.inputs.end(), [](const InputArray& array) {
+    return array.role == Role::gravity || array.role == Role::link_wrenches;
+  });
+  return static_cast<std::size_t>(place - program.inputs.begin());
+}
+
+std::vector<WeightedOutputs> weights_of_outputs(const Program& program) {
+  if (program.outputs.size() == 1) return {{"weights", {program.outputs.front().name}}};
+  std::vector<WeightedOutputs> result;
+  for (const OutputArray& array : program.outputs) result.push_back({array.name + "_weights", {array.name}});
+  return result;
+}
+
 Program with_gradient(
     const Program& program,
-    const std::vector<std::string>& outputs,
+    const std::vector<WeightedOutputs>& weights,
     const std::vector<std::string>& inputs,
     std::size_t place,
     const FollowerRates& rates) {
-  InputArray weights{"weights", Role::value, {}};
-  const auto each = [&](const auto& f) {
-    for (const std::string& name : outputs)
-      for (const OutputArray& array : program.outputs)
-        if (array.name == name) f(array);
-  };
-  each([&](const OutputArray& array) {
-    for (std::size_t k = 0; k < array.values.size(); ++k)
-      weights.elements.push_back(array.name + "_" + std::to_string(k));
-  });
-  Differentiated d(program, place, weights);
+  std::vector<InputArray> arrays;
+  for (const WeightedOutputs& of : weights) arrays.push_back(array_of_weights(program, of));
+  Differentiated d(program, place, arrays);
   std::vector<Expression> results;
-  each([&](const OutputArray& array) {
-    const std::vector<Expression>& values = d.output(array.name);
-    results.insert(results.end(), values.begin(), values.end());
-  });
+  for (const WeightedOutputs& of : weights) {
+    for (const std::string& name : of.outputs) {
+      const std::vector<Expression>& values = d.output(name);
+      results.insert(results.end(), values.begin(), values.end());
+    }
+  }
   d.graph().begin_section("gradient", "gradient");
   const std::vector<Expression> adjoints = d.adjoints(results, d.added());
   for (const std::string& input : inputs) {
-    const std::vector<Expression> variables = d.input(input);
-    const InputArray& array = array_of(program, input);
-    const std::vector<Expression> gradient =
-        with_followers(d, array, rates, by_turns(array, variables, signed_values(adjoints, variables)));
-    d.add_output("d_" + input, Role::value, static_cast<int>(gradient.size()), 1, gradient);
+    const std::vector<Expression> gradient = gradient_by(d, program, input, adjoints, rates);
+    d.add_output(name_of_gradient(input), Role::value, static_cast<int>(gradient.size()), 1, gradient);
+  }
+  return d.finish();
+}
+
+std::string name_of_tangent(const std::string& array) {
+  return array + "_tangent";
+}
+
+std::string name_of_gradient(const std::string& input) {
+  return "d_" + input;
+}
+
+std::string name_of_block(std::size_t results, const std::string& of, const std::string& input) {
+  const std::string name = name_of_gradient(input);
+  return results == 1 && of != name ? name : of + "_" + name;
+}
+
+Program with_tangents(
+    const Program& program,
+    const std::vector<std::string>& inputs,
+    std::size_t place,
+    const FollowerRates& rates) {
+  std::vector<InputArray> arrays;
+  for (const std::string& input : inputs) {
+    InputArray rate{name_of_tangent(input), Role::value, {}};
+    const std::size_t count = input == kBaseRotation ? 3 : columns_by(array_of(program, input));
+    for (std::size_t k = 0; k < count; ++k) rate.elements.push_back(rate.name + "_" + std::to_string(k));
+    arrays.push_back(std::move(rate));
+  }
+  Differentiated d(program, place, arrays);
+  d.graph().begin_section("tangent", "tangent");
+  const std::vector<Expression> given = d.added();
+  std::vector<Rate> changes;
+  auto next = given.begin();
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const auto end = next + static_cast<std::ptrdiff_t>(arrays[k].elements.size());
+    const std::vector<Rate> of = rates_of_input(d, program, inputs[k], {next, end}, rates);
+    changes.insert(changes.end(), of.begin(), of.end());
+    next = end;
+  }
+  const std::vector<Expression> tangents = d.tangents(changes);
+  for (std::size_t k = 0; k < program.outputs.size(); ++k) {
+    const OutputArray& of = program.outputs[k];
+    d.add_output(
+        name_of_tangent(of.name), of.columns == 1 ? Role::value : Role::matrix, of.rows, of.columns,
+        signed_values(tangents, d.output(k)));
   }
   return d.finish();
 }

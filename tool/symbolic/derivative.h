@@ -12,12 +12,21 @@
 
 namespace robcogen::symbolic {
 
-// The output `place` of a program is the derivative of the output `of` by the input `by`: a matrix with a row for each
-// element of that output (column by column) and a column for each element of the input.
+// Which numbers of the matrix J of partial derivatives of some results by some inputs: all of them, its product with
+// weights of the results (the gradient J^T w, by reverse mode), or with rates of the inputs (the tangent J t).
+enum class DerivativeForm { matrix, gradient, tangent };
+
+// The output `place` of a program is the derivative of `results` outputs, `of` and the next ones, by the input `by`. As
+// a matrix, it has a row for each element of the output (column by column) and a column for each element of the input.
+// In the other forms, J is multiplied by the input `vector`; there may be several vectors for several outputs, which
+// follow each other.
 struct DerivativeBlock {
   int of = 0;  // index into the outputs, as is `place`
   std::string by;
   int place = 0;
+  DerivativeForm form = DerivativeForm::matrix;
+  std::string vector = {};
+  int results = 1;
 };
 
 // Programs that know how the base is oriented have derivatives by this too, as if it were an input: three columns, for
@@ -67,16 +76,44 @@ std::optional<Program> with_derivatives(
     std::size_t most,
     const FollowerRates& rates = {});
 
-// Returns the program with the gradient of the weighted sum of all elements of these outputs, by reverse mode. The
-// weights are a further input `weights` in front of the input array `place`, one for each element in order. The
-// derivatives by an input `q` are the array `d_q`. The gradient costs a small multiple of the program, however many
-// inputs there are. Unit quaternions and followers are treated as above.
+// An input of weights: one for each element of these outputs, in their order.
+struct WeightedOutputs {
+  std::string name;
+  std::vector<std::string> outputs;
+};
+
+// In front of gravity and external wrenches, where functions take further inputs.
+std::size_t place_of_loads(const Program& program);
+
+// One for each output: `weights`, or `y_weights` for an output `y` among several.
+std::vector<WeightedOutputs> weights_of_outputs(const Program& program);
+
+// Returns the program with the gradient of the weighted sum of all elements of the outputs, by reverse mode. The
+// weights are further inputs in front of the input array `place`. The derivatives by an input `q` are the array `d_q`.
+// The gradient costs a small multiple of the program, however many inputs there are. Unit quaternions, followers and
+// kBaseRotation are treated as above.
 Program with_gradient(
     const Program& program,
-    const std::vector<std::string>& outputs,
+    const std::vector<WeightedOutputs>& weights,
     const std::vector<std::string>& inputs,
     std::size_t place,
     const FollowerRates& rates = {});
+
+// Returns the program with the rates of its outputs when these inputs change at given rates, by forward mode: for each
+// output `y` the array `y_tangent`. The rates of an input `q` are a further input `q_tangent` in front of the input
+// array `place`, with an element for each column of the derivatives by q above. The tangent costs a small multiple of
+// the program.
+Program with_tangents(
+    const Program& program,
+    const std::vector<std::string>& inputs,
+    std::size_t place,
+    const FollowerRates& rates = {});
+
+// The names of the outputs that these functions add: of tangents, of gradients by an input, and of derivatives of one
+// of `results` outputs by an input.
+std::string name_of_tangent(const std::string& array);
+std::string name_of_gradient(const std::string& input);
+std::string name_of_block(std::size_t results, const std::string& of, const std::string& input);
 
 // Returns such a gradient with the derivatives of its arrays `d_x` by y as further outputs `d_x_y`, for each pair
 // (x, y). They are symmetric if x is y and has no quaternions.

@@ -169,6 +169,24 @@ concept HasBiasForces = (FixedBase<R> &&
                           noexcept->std::same_as<typename R::GeneralizedForce>;
                         });
 
+// generalized_momentum(q, qd), which also takes the velocity of a floating base and gravity; its result has the members
+// p and rate, of as many rows as the inertia matrix.
+template <class R>
+concept HasControlTerms = (FixedBase<R> &&
+                           requires(const R& robot, const JointPositions<R>& q, const typename R::JointState& qd) {
+                             robot.generalized_momentum(q, qd).p;
+                             robot.generalized_momentum(q, qd).rate;
+                           }) ||
+                          (FloatingBase<R> && requires(
+                                                  const R& robot,
+                                                  const JointPositions<R>& q,
+                                                  const typename R::JointState& qd,
+                                                  const typename R::Twist& v,
+                                                  const typename R::Gravity& gravity) {
+                            robot.generalized_momentum(q, qd, v, gravity).p;
+                            robot.generalized_momentum(q, qd, v, gravity).rate;
+                          });
+
 // kinetic_energy(q, qd), which also takes the velocity of a floating base, and potential_energy(q, gravity).
 template <class R>
 concept HasEnergy = ((FixedBase<R> &&

@@ -212,6 +212,10 @@ enum class Variation : unsigned char {
   of_base_pose,        // seven inputs: the base rotates about its own axes; after three columns, its position changes
 };
 
+// Whether all derivatives of `rows` results by `columns` inputs are computed, or their product with a vector that is
+// among the inputs of the function: with weights of the results, or with rates of the inputs.
+enum class Form : unsigned char { matrix, gradient, tangent };
+
 // Derivatives of results of a function by an input, which are among the results of the same function.
 struct Derivative {
   const char* name;    // `inverse_dynamics_d_q: tau by q`
@@ -219,8 +223,11 @@ struct Derivative {
   bool by_parameters;  // by the parameters of the model; the first inputs, the cache, are computed from them
   int input, columns;  // index of the first input, and number of inputs
   int value, rows;     // index of the first result, and number of results
-  int place;           // index of the first derivative among the results; one column for each input
+  int place;           // index of the first derivative among the results: of a matrix, one column for each input; of a
+                       // gradient, one number for each input; of a tangent, one for each result
   Variation variation = Variation::of_input;
+  Form form = Form::matrix;
+  int vector = 0;  // index of the first input of the vector, unless it is a matrix
 };
 
 // `size` inputs of a fused function, from `of_function` on, are those of its part from `of_part` on.

@@ -22,8 +22,9 @@ _Words = Union[str, Iterable[str]]
 
 def load(
         model: _File, *, name: str | None = None, desired: _File | None = None, algorithms: _Words = (), derivatives: _Words = (),
-        contacts: _Words = (), floating_base: bool = False, snap_angles: bool = False, passive_forces: bool = False,
-        free_mimic_joints: bool = False, allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
+        gradients: _Words = (), tangents: _Words = (), contacts: _Words = (), floating_base: bool = False,
+        snap_angles: bool = False, passive_forces: bool = False, free_mimic_joints: bool = False,
+        allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
         import_folders: _File | Iterable[_File] = (), options: _Words = (), quiet: bool = False) -> Any:
     """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl).
 
@@ -31,7 +32,8 @@ def load(
     name, _robcogen.<key>.<name>, is unique: it replaces no other module, and nothing replaces it.
     """
     return _modules.load(build(
-        model, name=name, desired=desired, algorithms=algorithms, derivatives=derivatives, contacts=contacts,
+        model, name=name, desired=desired, algorithms=algorithms, derivatives=derivatives,
+        gradients=gradients, tangents=tangents, contacts=contacts,
         floating_base=floating_base, snap_angles=snap_angles, passive_forces=passive_forces,
         free_mimic_joints=free_mimic_joints, allow_implausible=allow_implausible, strict=strict, effort=effort,
         import_folders=import_folders, options=options, quiet=quiet))
@@ -39,14 +41,17 @@ def load(
 
 def build(
         model: _File, *, name: str | None = None, desired: _File | None = None, algorithms: _Words = (), derivatives: _Words = (),
-        contacts: _Words = (), floating_base: bool = False, snap_angles: bool = False, passive_forces: bool = False,
-        free_mimic_joints: bool = False, allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
+        gradients: _Words = (), tangents: _Words = (), contacts: _Words = (), floating_base: bool = False,
+        snap_angles: bool = False, passive_forces: bool = False, free_mimic_joints: bool = False,
+        allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
         import_folders: _File | Iterable[_File] = (), options: _Words = (), quiet: bool = False) -> Path:
     """Builds a module and returns its path; its stub, <name>.pyi, is in the same folder.
 
     name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
     model, or else all links. algorithms: groups of functions; default: the default groups. derivatives: such as
-    "inverse_dynamics:q". contacts: frames in contact, such as "foot" or "sole:surface". A single string is one element.
+    "inverse_dynamics:q". gradients, tangents: the same for products with weights of the results or rates of the inputs
+    (vector-Jacobian and Jacobian-vector products). contacts: frames in contact, such as "foot" or "sole:surface". A
+    single string is one element.
 
     Of a URDF or MJCF: floating_base: the root link floats. snap_angles: angles near multiples of PI/12 become these.
     passive_forces: damping and friction are part of the dynamics. free_mimic_joints: coupled joints are independent.
@@ -60,7 +65,8 @@ def build(
         "--floating-base": floating_base, "--snap-angles": snap_angles, "--passive-forces": passive_forces,
         "--free-mimic-joints": free_mimic_joints, "--allow-implausible": allow_implausible, "--strict": strict}
     arguments = [option for option, is_on in model_options.items() if is_on]
-    for option, values in (("--algorithms", algorithms), ("--derivatives", derivatives)):
+    for option, values in (
+            ("--algorithms", algorithms), ("--derivatives", derivatives), ("--gradients", gradients), ("--tangents", tangents)):
         if _build.elements(values):
             arguments += [option, *_build.elements(values)]
     if _build.elements(contacts):

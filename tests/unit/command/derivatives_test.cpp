@@ -164,6 +164,97 @@ TEST(Derivatives, ByTheRotationOfTheBase) {
       EXPECT_NEAR(turned["d_base_rotation"][r][axis].get<double>(), expected[r][axis], 1e-14);
 }
 
+// The numbers of an array of results or arguments, in their order.
+std::vector<double> numbers(const json& values) {
+  return values.is_array() ? flat(values) : std::vector<double>{values.get<double>()};
+}
+
+// Weights times a tangent is a gradient times rates: both are weights times the matrix times rates. The matrix is that
+// of
+// `--derivatives`, which is compared with differences above.
+void expect_products(
+    const std::filesystem::path& model,
+    const std::string& function,
+    const std::string& input,
+    json state,
+    const std::vector<double>& weights,
+    const std::vector<double>& rates) {
+  const std::string of_input = " " + function + ":" + input;
+  const json matrix = results_of(model, function + "_d_" + input, "--derivatives" + of_input, state);
+  const std::vector<double> d = flat(matrix["d_" + input]);
+  ASSERT_EQ(d.size(), weights.size() * rates.size());
+  state["weights"] = weights;
+  const json gradient = results_of(model, function + "_gradient_" + input, "--gradients" + of_input, state);
+  state.erase("weights");
+  state[input + "_tangent"] = rates;
+  const json tangent = results_of(model, function + "_tangent_" + input, "--tangents" + of_input, state);
+  std::vector<double> expected_gradient(rates.size()), expected_tangent(weights.size());
+  for (std::size_t c = 0; c < rates.size(); ++c) {
+    for (std::size_t r = 0; r < weights.size(); ++r) {
+      expected_gradient[c] += weights[r] * d[r + c * weights.size()];
+      expected_tangent[r] += rates[c] * d[r + c * weights.size()];
+    }
+  }
+  const std::string result =
+      matrix.begin().key() == "d_" + input ? std::next(matrix.begin()).key() : matrix.begin().key();
+  const std::vector<double> found_gradient = numbers(gradient["d_" + input]);
+  const std::vector<double> found_tangent = numbers(tangent[result + "_tangent"]);
+  ASSERT_EQ(found_gradient.size(), rates.size());
+  ASSERT_EQ(found_tangent.size(), weights.size());
+  for (std::size_t c = 0; c < rates.size(); ++c) EXPECT_NEAR(found_gradient[c], expected_gradient[c], 1e-10) << c;
+  for (std::size_t r = 0; r < weights.size(); ++r) EXPECT_NEAR(found_tangent[r], expected_tangent[r], 1e-10) << r;
+  EXPECT_EQ(gradient[result], matrix[result]);
+  EXPECT_EQ(tangent[result], matrix[result]);
+}
+
+TEST(Derivatives, TimesVectors) {
+  const json state = {
+      {"q", {0.1, 0.4, -0.9}}, {"qd", {0.5, -1, 2}}, {"tau", {1, 2, 3}}, {"parameters", parameters_of_leg()}};
+  expect_products(kLeg, "forward_dynamics", "q", state, {1, -2, 0.5}, {0.3, 1, -1});
+  expect_products(kLeg, "forward_dynamics", "parameters", state, {1, -2, 0.5}, {0.3, 1, -1, 2, 0.1});
+  // A ball joint turns about three axes.
+  const std::filesystem::path ball_leg = ROBCOGEN_ROBOTS_DIR "/ball_leg/ball_leg.kindsl";
+  const json bent = {{"q", {0.5, 0.5, -0.5, 0.5, 0.3, 0.8, 0.0, 0.6, 0.0}}};
+  expect_products(ball_leg, "potential_energy", "q", bent, {2}, {1, 2, 3, 4, 5, 6, 7});
+  const std::filesystem::path quadruped = ROBCOGEN_ROBOTS_DIR "/quadruped/quadruped.kindsl";
+  const json pose = {{"q", std::vector<double>(12, 0.2)}, {"base_pose", {0.5, -0.5, 0.5, 0.5, 1, 2, 3}}};
+  for (const char* input : {"base_rotation", "base_pose"}) {
+    const std::size_t count = input == std::string("base_pose") ? 6 : 3;
+    std::vector<double> rates = {1, -2, 3, 4, 5, -6};
+    rates.resize(count);
+    expect_products(quadruped, "world.position_fr_LF_foot", input, pose, {1, 2, -3}, rates);
+  }
+  // The dependent joints of loops move with the others.
+  const std::filesystem::path five_bar = ROBCOGEN_ROBOTS_DIR "/five_bar/five_bar.kindsl";
+  const json closed = {{"q", {0.1, -0.1}}, {"qd", {1, 2}}, {"qdd", {-1, 1}}};
+  expect_products(five_bar, "inverse_dynamics", "q", closed, {1, -2}, {0.3, 1});
+}
+
+// A Hessian times a vector: how the gradient changes.
+TEST(Derivatives, OfDerivatives) {
+  const std::string first = "forward_dynamics_gradient_q",
+                    options = "--gradients forward_dynamics:q --tangents " + first + ":q";
+  json state = {
+      {"q", {0.1, 0.4, -0.9}},
+      {"qd", {0.5, -1, 2}},
+      {"tau", {1, 2, 3}},
+      {"parameters", parameters_of_leg()},
+      {"weights", {1.0, -2.0, 0.5}}};
+  const std::vector<double> rates = {0.3, 1, -1};
+  const auto gradient = [&](double step) {
+    json there = state;
+    for (std::size_t k = 0; k < rates.size(); ++k) there["q"][k] = there["q"][k].get<double>() + step * rates[k];
+    return flat(results_of(kLeg, first, options, there)["d_q"]);
+  };
+  constexpr double kStep = 1e-5;
+  const std::vector<double> after = gradient(kStep), before = gradient(-kStep);
+  state["q_tangent"] = rates;
+  const std::vector<double> found = flat(results_of(kLeg, first + "_tangent_q", options, state)["d_q_tangent"]);
+  ASSERT_EQ(found.size(), rates.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k], (after[k] - before[k]) / (2 * kStep), 1e-6 * (1 + std::abs(found[k]))) << k;
+}
+
 TEST(Derivatives, OfTransforms) {
   expect_derivatives(
       kEuler, "transforms.motion.S_X_zyx", "variables", "X", {"a", "b", "c"},
@@ -239,6 +330,20 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"inverse_dynamics:q,q", "'q' is given twice"},
         Fault{"inertia_factor.solve:x", "functions of an inertia factor take an object"},
         Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
+
+TEST(Derivatives, MessagesNameTheirOption) {
+  const auto errors = [](const std::string& options) {
+    const Outcome run = run_tool("ops " + quoted(kLeg) + " --algorithms energy " + options, "");
+    EXPECT_EQ(run.status, 2);
+    return run.errors;
+  };
+  EXPECT_NE(errors("--gradients bias_forces:qq").find("--gradients bias_forces:qq: 'qq' is not an"), std::string::npos);
+  EXPECT_NE(errors("--tangents bias_forces").find("--tangents 'bias_forces': no input to"), std::string::npos);
+  EXPECT_NE(
+      errors("--tangents bias_forces:q bias_forces_tangent_q:q")
+          .find("bias_forces_tangent_q has 'q_tangent' already, an argument or a result [repeated-derivative]"),
+      std::string::npos);
+}
 
 TEST(Derivatives, ByWhichContactsHold) {
   const Outcome run = run_tool(

@@ -41,7 +41,7 @@ void expect_both_modes(const Program& program, const Values& a) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_LT(std::abs(found[i] - expected[i]), kNear) << i;
 
-  const Program reverse = with_gradient(program, {"out"}, {"a"}, 0);
+  const Program reverse = with_gradient(program, {{"weights", {"out"}}}, {"a"}, 0);
   EXPECT_EQ(verify(reverse), "");
   EXPECT_EQ(reverse.inputs.front().name, "weights");
   const std::size_t rows = reverse.inputs.front().elements.size();
@@ -52,6 +52,16 @@ void expect_both_modes(const Program& program, const Values& a) {
     ASSERT_EQ(gradient.size(), a.size());
     for (std::size_t k = 0; k < a.size(); ++k) EXPECT_LT(std::abs(gradient[k] + 2 * expected[row + k * rows]), kNear);
   }
+
+  const Program tangents = with_tangents(program, {"a"}, 1);
+  EXPECT_EQ(verify(tangents), "");
+  EXPECT_EQ(tangents.inputs.back().name, "a_tangent");
+  Values rates, sums(rows);
+  for (std::size_t k = 0; k < a.size(); ++k) rates.push_back(1.0L + 0.5L * static_cast<Real>(k));
+  for (std::size_t i = 0; i < expected.size(); ++i) sums[i % rows] += expected[i] * rates[i / rows];
+  const Values tangent = interpret<Real>(tangents, {{"a", a}, {"a_tangent", rates}}).at("out_tangent");
+  ASSERT_EQ(tangent.size(), rows);
+  for (std::size_t row = 0; row < rows; ++row) EXPECT_LT(std::abs(tangent[row] - sums[row]), 10 * kNear);
 }
 
 TEST(Derivative, EveryOperation) {
@@ -121,7 +131,8 @@ TEST(Derivative, OfAnExpression) {
 TEST(Derivative, ByWhatIsNotThere) {
   const Program p = test::small_program("return out a[0]\n");
   EXPECT_THROW(with_derivatives(p, {"q"}), std::logic_error);
-  EXPECT_THROW(with_gradient(p, {"out"}, {"q"}, 0), std::logic_error);
+  EXPECT_THROW(with_gradient(p, {{"weights", {"out"}}}, {"q"}, 0), std::logic_error);
+  EXPECT_THROW(with_tangents(p, {kBaseRotation}, 0), std::logic_error);
 }
 
 }  // namespace

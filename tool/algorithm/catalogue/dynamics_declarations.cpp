@@ -152,6 +152,30 @@ Declarations dynamics_declarations() {
          .signature = {{q, qd, base_velocity}, {matrix("C", velocities, velocities)}},
          .program = {by<coriolis_matrix>, Search::cheaper},
          .is_of_model = true}}},
+      {"control_terms",
+       {{.name = "generalized_momentum",
+         .summary =
+             {"Generalised momentum p = H v, for the joint-space inertia matrix H and the velocity v ({floating? base "
+              "twist, }qd), and its rate without generalised forces: dp/dt = {floating? (base wrench, }tau{floating? "
+              ")} + rate (De Luca and Mattone 2003).",
+              "The rate is C' v minus gravity forces{passive? {has passive drives? , minus passive forces of "
+              "drives}}, with a Coriolis matrix C for which dH/dt - 2 C is skew symmetric.",
+              "{floating? (6 + n) rows: base first, in base coordinates, angular first.}"},
+         .signature = {{q, qd, base_velocity}, {value("p", velocities), value("rate", velocities)}, Overloads::gravity},
+         .program = {by<generalized_momentum>, Search::newton_euler}},
+        {.name = "path_dynamics",
+         .exists = is_fixed,
+         .summary =
+             {"Joint forces along a path q(s): tau = a dds/dt^2 + b (ds/dt)^2 + c, where qd is dq/ds and qdd is "
+              "d^2q/ds^2; without passive forces of drives (Bobrow, Dubowsky and Gibson 1985; Pham 2014).",
+              "a = H qd, b = H qdd + C qd, and c are the gravity forces."},
+         .signature =
+             {{q, qd, qdd},
+              {{"a", Role::joint_force, coordinates},
+               {"b", Role::joint_force, coordinates},
+               {"c", Role::joint_force, coordinates}},
+              Overloads::gravity},
+         .program = {by<path_dynamics>, Search::newton_euler}}}},
       {"centroidal",
        {{.name = "center_of_mass",
          .summary = {"Centre of mass of {what moves} (m), in base coordinates."},

@@ -136,6 +136,22 @@ symbolic::Program coriolis_matrix(
     const std::string& name,
     const Formulation& formulation = {});
 
+// The generalised momentum p = H v, and its rate without the generalised forces tau, dp/dt - tau: q, qd [,
+// base_velocity] [, gravity] -> p, rate, as the rows of H. Momentum observers integrate it (De Luca and Mattone 2003).
+symbolic::Program generalized_momentum(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
+// The joint forces along a path q(s) of a robot on a fixed base, tau = a dds/dt^2 + b (ds/dt)^2 + c, without passive
+// forces: q, qd = dq/ds, qdd = d^2q/ds^2 [, gravity] [, external] -> a, b, c.
+symbolic::Program path_dynamics(
+    const model::KinematicTree& tree,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
 // Inverse dynamics and its partial derivatives by each variable (force_derivatives.h): q, qd, qdd -> tau, d_q, d_qd,
 // d_qdd, the last of which is H. Floating base, fully actuated: q, qd, qdd, base_velocity, base_acceleration -> tau,
 // base_wrench, d_q, d_qd, d_qdd, d_base_rotation, d_base_velocity, d_base_acceleration, rows of the base wrench first.

@@ -1,9 +1,10 @@
 // Gravity forces from the first moments of composite bodies: half the work of a Newton-Euler pass at rest.
+#include "algorithm/dynamics/gravity.h"
+
 #include <functional>
 
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/looped_derivatives.h"
-#include "algorithm/dynamics/traced_robot.h"
 #include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/named.h"
 
@@ -63,6 +64,14 @@ RobotAtRest robot_at_rest(const TracedRobot& robot, const Vector3& gravity) {
 
 }  // namespace
 
+Forces forces_at_rest(const TracedRobot& robot, const Vector3& gravity) {
+  const RobotAtRest rest = robot_at_rest(robot, gravity);
+  Forces forces;
+  forces.tau = rest.tau;
+  if (robot.floating()) forces.base_wrench = wrench_of(rest.body[0], -gravity);
+  return forces;
+}
+
 Program gravity_forces(
     const model::KinematicTree& tree,
     const std::string& name,
@@ -72,9 +81,9 @@ Program gravity_forces(
   const StateInputs in(trace, {State::position});
   const LoadInputs load(trace, loads);
   const TracedRobot robot(trace, in.q, formulation);
-  const RobotAtRest rest = robot_at_rest(robot, load.gravity);
-  trace.output("tau", Role::joint_force, by_coordinate(trace, rest.tau));
-  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, wrench_of(rest.body[0], -load.gravity));
+  const Forces forces = forces_at_rest(robot, load.gravity);
+  trace.output("tau", Role::joint_force, by_coordinate(trace, forces.tau));
+  if (tree.floating_base) trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
   return trace.program(name);
 }
 

@@ -1,5 +1,7 @@
 #include "algorithm/dynamics/looped_derivatives.h"
 
+#include <algorithm>
+
 #include "algorithm/dynamics/composite_rigid_body.h"
 #include "algorithm/spatial/couplings.h"
 
@@ -68,6 +70,22 @@ Columns derivatives_by_positions(
     columns.push_back(symbolic::rates_of(of, changes));
   }
   return columns;
+}
+
+std::vector<Expression> rates_along_motion(Trace& trace, const std::vector<Expression>& of, const StateInputs& in) {
+  std::vector<Rate> changes;
+  for (const int joint : trace.tree.coordinates()) {
+    for (const Rate& change : position_changes(trace, in.q, joint)) {
+      const auto known = std::find_if(
+          changes.begin(), changes.end(), [&](const Rate& other) { return other.of.node() == change.of.node(); });
+      const Expression rate = change.rate * in.qd[at(joint)];
+      if (known == changes.end())
+        changes.push_back({change.of, rate});
+      else
+        known->rate += rate;
+    }
+  }
+  return symbolic::rates_of(of, changes);
 }
 
 std::vector<Expression> derivative_by_velocity(

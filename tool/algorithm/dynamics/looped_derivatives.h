@@ -21,6 +21,9 @@ Columns derivatives_by_positions(
     const std::vector<Expression>& q,
     const std::vector<symbolic::Rate>& held = {});
 
+// The rates of these expressions while the joints move with the velocities in.qd, which stay the same.
+std::vector<Expression> rates_along_motion(Trace& trace, const std::vector<Expression>& of, const StateInputs& in);
+
 // The same by the velocities of coordinates, and by one velocity.
 Columns derivatives_by_velocities(
     Trace& trace,

@@ -162,9 +162,8 @@ Program inverse_dynamics_gradient(
     outputs = {"base_wrench", "tau"};
     inputs.insert(inputs.end(), {"base_velocity", "base_acceleration"});
   }
-  std::size_t place = 0;  // place of the first load input
-  while (place < forces.inputs.size() && forces.inputs[place].role != Role::gravity) ++place;
-  return symbolic::with_gradient(forces, outputs, inputs, place, follower_rates(tree));
+  return symbolic::with_gradient(
+      forces, {{"weights", outputs}}, inputs, symbolic::place_of_loads(forces), follower_rates(tree));
 }
 
 Program inverse_dynamics_second_derivatives(

@@ -18,6 +18,30 @@ int size_of(const symbolic::OutputArray& output) {
   return output.rows * output.columns;
 }
 
+std::size_t index_of_input(const symbolic::Program& program, const std::string& name) {
+  std::size_t input = 0;
+  while (program.inputs[input].name != name) ++input;
+  return input;
+}
+
+// `gradient of tau by q`, or only what is differentiated by what.
+std::string name_of(const symbolic::Program& program, const symbolic::DerivativeBlock& block) {
+  const std::string of = block.results == 1 ? program.outputs[static_cast<std::size_t>(block.of)].name : "all results";
+  const std::string form = block.form == symbolic::DerivativeForm::gradient  ? "gradient of "
+                           : block.form == symbolic::DerivativeForm::tangent ? "tangent of "
+                                                                             : "";
+  return form + of + " by " + block.by;
+}
+
+// How the derivatives are multiplied, after all other fields.
+std::vector<Field> fields_of_vector(const symbolic::Program& program, const symbolic::DerivativeBlock& block) {
+  if (block.form == symbolic::DerivativeForm::matrix) return {};
+  const bool is_gradient = block.form == symbolic::DerivativeForm::gradient;
+  return {
+      std::string("robcogen::reflection::Form::") + (is_gradient ? "gradient" : "tangent"),
+      static_cast<int>(offset_of(program, index_of_input(program, block.vector)))};
+}
+
 std::vector<Field> row_of(
     const Callable& c,
     std::size_t function,
@@ -26,23 +50,30 @@ std::vector<Field> row_of(
   const symbolic::Program& program = c.function->program;
   const bool is_by_rotation = block.by == symbolic::kBaseRotation;
   const std::string& read = is_by_rotation ? symbolic::orientation_of_base(program)->name : block.by;
-  std::size_t input = 0;
-  while (program.inputs[input].name != read) ++input;
+  const std::size_t input = index_of_input(program, read);
   const bool is_of_pose = program.inputs[input].role == symbolic::Role::base_pose;
   const bool is_cached = has_cache && program.inputs[input].role == symbolic::Role::parameters;
   const std::vector<std::size_t> offsets = offsets_of_outputs(program);
   const auto of = static_cast<std::size_t>(block.of), place = static_cast<std::size_t>(block.place);
+  int rows = 0, columns = program.outputs[place].columns;
+  for (std::size_t k = of; k < of + static_cast<std::size_t>(block.results); ++k) rows += size_of(program.outputs[k]);
+  if (block.form == symbolic::DerivativeForm::gradient) columns = size_of(program.outputs[place]);
+  if (block.form == symbolic::DerivativeForm::tangent)
+    columns = static_cast<int>(program.inputs[index_of_input(program, block.vector)].elements.size());
   std::vector<Field> row = {
-      quoted(c.kernel + ": " + program.outputs[of].name + " by " + block.by),
+      quoted(c.kernel + ": " + name_of(program, block)),
       static_cast<int>(function),
       is_cached ? "true" : "false",
       static_cast<int>(offset_of(program, input)),
-      program.outputs[place].columns,
+      columns,
       static_cast<int>(offsets[of]),
-      size_of(program.outputs[of]),
+      rows,
       static_cast<int>(offsets[place])};
-  const std::string variation = "robcogen::reflection::Variation::";
-  if (is_of_pose || is_by_rotation) row.emplace_back(variation + (is_of_pose ? "of_base_pose" : "of_gravity_in_base"));
+  const bool is_of_input = !is_of_pose && !is_by_rotation;
+  const std::string variation = is_of_input ? "of_input" : is_of_pose ? "of_base_pose" : "of_gravity_in_base";
+  const std::vector<Field> vector = fields_of_vector(program, block);
+  if (!is_of_input || !vector.empty()) row.emplace_back("robcogen::reflection::Variation::" + variation);
+  row.insert(row.end(), vector.begin(), vector.end());
   return row;
 }
 

@@ -29,6 +29,8 @@ struct AnySubject {
   OfPositions<Matrix<double>> joint_space_inertia;
   std::function<FactorResults(const Vector<double>& q, const Vector<double>& x)> inertia_factor;
   OfState<Matrix<double>> coriolis_matrix;
+  OfLoadedState<MomentumAndRate> generalized_momentum;
+  OfLoadedState<PathTerms> path_dynamics;  // with a fixed base
 
   OfLoadedState<Derivatives> inverse_dynamics_fully_actuated_derivatives;
   OfLoadedState<Derivatives> inverse_dynamics_derivatives;  // with a free base

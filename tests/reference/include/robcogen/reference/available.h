@@ -24,6 +24,7 @@ constexpr bool kHasForwardDynamics = has_kernel("forward_dynamics");
 constexpr bool kHasInertia = has_kernel("joint_space_inertia");
 constexpr bool kHasFactor = has_kernel("joint_space_inertia_factor");
 constexpr bool kHasCoriolisMatrix = has_kernel("coriolis_matrix");
+constexpr bool kHasControlTerms = has_kernel("generalized_momentum");
 constexpr bool kHasInverseDynamicsDerivatives = has_kernel("gravity_forces_derivative");
 constexpr bool kHasFreeInverseDynamicsDerivatives = has_kernel("inverse_dynamics_derivatives");
 constexpr bool kHasInverseDynamicsGradient = has_kernel("inverse_dynamics_gradient");

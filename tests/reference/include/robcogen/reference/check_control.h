@@ -125,6 +125,29 @@ void check_energies(const Subject& subject, const Case& c, Checks& checks) {
   compare("potential_energy (gravity)", {&c.sample.gravity, nullptr}, c.sample.gravity);
 }
 
+// 1 rad/s and the speeds of all joints.
+inline Real speed_of(const Case& c) {
+  Real speed = 1;
+  for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
+  return speed;
+}
+
+// dH/dt, by differences.
+inline Matrix<Real> rate_of_inertia(const Case& c) {
+  const Real step = 1e-4L / speed_of(c);  // s: the longest chain rotates by 1e-4 rad at most
+  const auto inertia = [&](Real steps) {
+    Motion<Real> there;
+    there.q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
+    if (c.loops == nullptr || c.motion.of_loops.empty()) return joint_space_inertia(c.robot, there.q);
+    there.qd = Vector<Real>(c.motion.qd.rows());
+    const AtLoops loops = c.loops->near(there);
+    Robot robot = loops.robot();
+    robot.joints = c.robot.joints;  // the case may leave out their drives
+    return joint_space_inertia(robot, there.q);
+  };
+  return 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
+}
+
 // C v are the Coriolis forces, and dH/dt = C + C'.
 template <class Subject>
 void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks, const std::string& of = "") {
@@ -140,22 +163,52 @@ void check_coriolis_matrix(const Subject& subject, const Case& c, Checks& checks
       of + "coriolis_matrix times velocity", kForce, error_of(c, (C * velocity).template cast<double>(), forces),
       c.index);
 
-  Real speed = 1;
-  for (int j = 0; j < c.motion.qd.rows(); ++j) speed += std::abs(c.motion.qd(j));
-  const Real step = 1e-4L / speed;  // s: the longest chain rotates by 1e-4 rad at most
-  const auto inertia = [&](Real steps) {
-    Motion<Real> there;
-    there.q = moved(c.robot, c.motion.q, steps * step * c.motion.qd);
-    if (c.loops == nullptr || c.motion.of_loops.empty()) return joint_space_inertia(c.robot, there.q);
-    there.qd = Vector<Real>(c.motion.qd.rows());
-    const AtLoops loops = c.loops->near(there);
-    Robot robot = loops.robot();
-    robot.joints = c.robot.joints;  // the case may leave out their drives
-    return joint_space_inertia(robot, there.q);
-  };
-  const Matrix<Real> change = 1 / (12 * step) * (Real(8) * (inertia(1) - inertia(-1)) - (inertia(2) - inertia(-2)));
+  const Real speed = speed_of(c);
+  const Matrix<Real> change = rate_of_inertia(c);
   const Matrix<Real> terms = magnitude(C) + magnitude(transpose(C)) + speed * inertia_magnitude(c);
   checks.record(of + "dH/dt - 2 C is skew symmetric", kSkew, relative_error(C + transpose(C), change, terms), c.index);
+}
+
+// p = H v, and its rate is dH/dt v less the bias forces.
+template <class Subject>
+void check_generalized_momentum(const Subject& subject, const Case& c, Checks& checks) {
+  const Vector<Real> v = coordinates(c.floating, c.motion.base_velocity, c.motion.qd);
+  const Matrix<Real> H_magnitude = inertia_magnitude(c);
+  Motion<double> steady = at_rest(c.robot, c.sample.motion.q);
+  steady.qd = c.sample.motion.qd;
+  steady.base_velocity = c.sample.motion.base_velocity;
+  steady.of_loops = c.sample.motion.of_loops;
+  const auto compare = [&](const std::string& suffix, const Arguments& arguments, const Vector<double>& gravity) {
+    const MomentumAndRate actual = subject.generalized_momentum(c.sample.motion, arguments);
+    checks.record(
+        "generalized_momentum" + suffix, kForce,
+        error_of(c, actual.p, {joint_space_inertia(c.robot, c.motion.q) * v, H_magnitude * magnitude(v)}), c.index);
+    Expected rate = expected_forces(c, steady, {gravity.cast<Real>(), {}});
+    rate.value = rate_of_inertia(c) * v - rate.value;
+    rate.terms += speed_of(c) * (H_magnitude * magnitude(v));
+    checks.record("rate of generalized_momentum" + suffix, kSkew, error_of(c, actual.rate, rate), c.index);
+  };
+  compare("", {}, {0, 0, -9.81});
+  compare(" (gravity)", {&c.sample.gravity, nullptr}, c.sample.gravity);
+}
+
+// The joint forces for a speed ds/dt and an acceleration dds/dt^2 along a path with the derivatives qd and qdd.
+template <class Subject>
+void check_path_dynamics(const Subject& subject, const Case& c, Checks& checks) {
+  constexpr double kRate = 0.7, kRateOfRate = -1.3;
+  const auto compare = [&](const std::string& suffix, const Arguments& arguments, const Vector<double>& gravity) {
+    const PathTerms terms = subject.path_dynamics(c.sample.motion, arguments);
+    Motion<double> motion = c.sample.motion;
+    motion.qdd = kRateOfRate * motion.qd + kRate * kRate * motion.qdd;
+    motion.qd = kRate * motion.qd;
+    if (!motion.of_loops.empty()) motion.of_loops = kRate * kRate * motion.of_loops;
+    const Vector<double> tau = kRateOfRate * terms.a + kRate * kRate * terms.b + terms.c;
+    checks.record(
+        "path_dynamics" + suffix, kForce, error_of(c, tau, expected_forces(c, motion, without_passive<Real>(gravity))),
+        c.index);
+  };
+  compare("", {}, {0, 0, -9.81});
+  compare(" (gravity)", {&c.sample.gravity, nullptr}, c.sample.gravity);
 }
 
 }  // namespace robcogen::reference

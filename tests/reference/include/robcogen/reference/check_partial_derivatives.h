@@ -1,9 +1,11 @@
 // Checks of derivatives that a user asked for, against differences of the function's own results.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "robcogen/reference/checks.h"
@@ -99,6 +101,59 @@ inline void move_base(const reflection::Derivative& d, int element, double step,
   at[1 + z] = c * of_z - s * of_y;
 }
 
+// Calls a function.
+using Call = std::function<std::vector<double>(const std::vector<double>& inputs)>;
+
+inline std::vector<double> slice(const std::vector<double>& all, int first, int count) {
+  return {all.begin() + first, all.begin() + first + count};
+}
+
+// The block as a matrix whose rows are those results: its place among the numbers that `numbers_of_matrix` returns.
+inline reflection::Derivative as_matrix(reflection::Derivative d) {
+  if (d.form == reflection::Form::matrix) return d;
+  d.value = 0;
+  if (d.form == reflection::Form::gradient) d.rows = 1;
+  d.place = d.rows;
+  d.form = reflection::Form::matrix;
+  return d;
+}
+
+// Results of the function for these inputs, and derivatives by an input as a matrix. A gradient is the only row: that
+// of the weighted sum of the results. Columns of a tangent are those for unit rates.
+inline std::vector<double> numbers_of_matrix(
+    const reflection::Derivative& d,
+    const Call& call,
+    std::vector<double> inputs) {
+  if (d.form == reflection::Form::matrix) return call(inputs);
+  const std::vector<double> results = call(inputs);
+  std::vector<double> numbers = slice(results, d.value, d.rows);
+  if (d.form == reflection::Form::gradient) {
+    double sum = 0;
+    for (int r = 0; r < d.rows; ++r)
+      sum += inputs[static_cast<std::size_t>(d.vector + r)] * numbers[static_cast<std::size_t>(r)];
+    const std::vector<double> gradient = slice(results, d.place, d.columns);
+    numbers = {sum};
+    numbers.insert(numbers.end(), gradient.begin(), gradient.end());
+    return numbers;
+  }
+  for (int column = 0; column < d.columns; ++column) {
+    for (int k = 0; k < d.columns; ++k) inputs[static_cast<std::size_t>(d.vector + k)] = k == column ? 1 : 0;
+    const std::vector<double> tangent = slice(call(inputs), d.place, d.rows);
+    numbers.insert(numbers.end(), tangent.begin(), tangent.end());
+  }
+  return numbers;
+}
+
+// Rates of all inputs but one are zero for a tangent by that one.
+inline void clear_rates(
+    const reflection::Table<reflection::Derivative>& derivatives,
+    int function,
+    std::vector<double>& inputs) {
+  for (const reflection::Derivative& d : derivatives)
+    if (d.function == function && d.form == reflection::Form::tangent)
+      std::fill_n(inputs.begin() + d.vector, d.columns, 0.0);
+}
+
 // `inputs_of` returns the inputs of a function in one state. `cache_of` computes their first part from parameter
 // values; `parameters` are the values of that state.
 inline void check_partial_derivatives(
@@ -114,9 +169,15 @@ inline void check_partial_derivatives(
     const reflection::Function& f = functions[d.function];
     bool is_checked = d.rows * d.columns == 0;
     for (int i = 0; i < samples; ++i) {
-      const std::vector<double> inputs = inputs_of(f);
-      const Real error = error_of(d, [&](int element, double step) {
-        std::vector<double> moved = inputs, results(static_cast<std::size_t>(f.outputs));
+      std::vector<double> inputs = inputs_of(f);
+      clear_rates(derivatives, d.function, inputs);
+      const Call call = [&](const std::vector<double>& arguments) {
+        std::vector<double> results(static_cast<std::size_t>(f.outputs));
+        f.call(arguments.data(), results.data());
+        return results;
+      };
+      const Real error = error_of(as_matrix(d), [&](int element, double step) {
+        std::vector<double> moved = inputs;
         if (d.by_parameters) {
           std::vector<double> values = parameters;
           values[static_cast<std::size_t>(element)] += step;
@@ -127,8 +188,7 @@ inline void check_partial_derivatives(
         } else {
           move(f, d, element, step, moved);
         }
-        f.call(moved.data(), results.data());
-        return results;
+        return numbers_of_matrix(d, call, std::move(moved));
       });
       if (std::isnan(error)) continue;
       is_checked = true;

@@ -135,6 +135,27 @@ class CompiledRobot {
     }
   }
 
+  // `external` is ignored.
+  MomentumAndRate generalized_momentum(const State& m, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) -> MomentumAndRate {
+      if constexpr (R::kFloatingBase) {
+        const auto result = robot_.generalized_momentum(
+            positions(m.q), joints(m.qd), spatial<BasicTwist<Scalar>>(m.base_velocity), g...);
+        return {vector(result.p), vector(result.rate)};
+      } else {
+        const auto result = robot_.generalized_momentum(positions(m.q), joints(m.qd), g...);
+        return {vector(result.p), vector(result.rate)};
+      }
+    });
+  }
+
+  PathTerms path_dynamics(const State& m, const Arguments& arguments) const {
+    return with_gravity(arguments, [&](const auto&... g) -> PathTerms {
+      const auto result = robot_.path_dynamics(positions(m.q), joints(m.qd), joints(m.qdd), g...);
+      return {vector(result.a), vector(result.b), vector(result.c)};
+    });
+  }
+
   // Derivatives of (base wrench, tau), or of tau with a fixed base.
   Derivatives inverse_dynamics_fully_actuated_derivatives(const State& m, const Arguments& arguments) const {
     return with(arguments, [&](const auto&... extra) {

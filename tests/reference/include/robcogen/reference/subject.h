@@ -1,7 +1,7 @@
 // The subject of checks: evaluates the functions of a robot, compiled or interpreted, with fixed or floating base.
 //
-// The checks are templates over any type with the members of CompiledRobot (compiled_robot.h): vectors have run-time size,
-// and the six coordinates of a floating base come first. Self-checks instantiate them once, for AnySubject.
+// The checks are templates over any type with the members of CompiledRobot (compiled_robot.h): vectors have run-time
+// size, and the six coordinates of a floating base come first. Self-checks instantiate them once, for AnySubject.
 #pragma once
 
 #include <vector>
@@ -37,6 +37,16 @@ struct FactorResults {
   Matrix<double> inverse_L;
   Matrix<double> inverse;   // of H
   Vector<double> solution;  // H^-1 x
+};
+
+// The generalised momentum, and its rate without generalised forces.
+struct MomentumAndRate {
+  Vector<double> p, rate;
+};
+
+// Joint forces along a path q(s): a dds/dt^2 + b (ds/dt)^2 + c.
+struct PathTerms {
+  Vector<double> a, b, c;
 };
 
 inline TransformForms operator*(const TransformForms& a, const TransformForms& b) {
