@@ -31,7 +31,10 @@ endfunction()
 function(_robcogen_compatibility_files folder headers)
   set(list "")
   if(library_COMPATIBILITY)
-    set(list ${folder}/kernel/compiled.h ${library_INCLUDE_PATH}/detail/robot.h)
+    set(list ${folder}/kernel/compiled.h)
+    foreach(file robot.h transforms.inc jacobians.inc)
+      list(APPEND list ${library_INCLUDE_PATH}/detail/${file})
+    endforeach()
     foreach(stem declarations kinematics_parameters dynamics_parameters default_dynparams_getter transforms jacobians
                  inertia_properties inverse_dynamics link_data_map joint_data_map rbd_types model_constants forward_dynamics
                  jsim miscellaneous traits)

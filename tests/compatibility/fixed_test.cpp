@@ -122,6 +122,27 @@ TEST_F(FixedBase, Transforms) {
   expect_equal(chain * homogeneous.foot_X_fr_shin.inverse(), kept);
 }
 
+// A copy of an object has its own state. A transform that belongs to no object, copied or constructed, changes none.
+TEST_F(FixedBase, CopiesOfTransforms) {
+  inverse.setJointStatus(q);
+  old::MotionTransforms copy(motion);
+  old::dyn::ForwardDynamics dynamics(inertias, copy);
+  motion.fr_thigh_X_fr_trunk(other);
+  dynamics.fd(result, qd, qdd);
+  expect_equal(result, own::forward_dynamics(q, qd, qdd));
+  copy.fr_thigh_X_fr_trunk(other);
+  old::MotionTransforms::Type_fr_thigh_X_fr_trunk copied(copy.fr_thigh_X_fr_trunk), constructed;
+  expect_equal(copied, copy.fr_thigh_X_fr_trunk);
+  expect_equal(copied(q), constructed(q));
+  dynamics.fd(result, qd, qdd);
+  expect_equal(result, own::forward_dynamics(old::JointState(q(0), other(1), q(2)), qd, qdd));
+  copy = motion;
+  dynamics.fd(result, qd, qdd);
+  expect_equal(result, own::forward_dynamics(old::JointState(q(0), other(1), q(2)), qd, qdd));
+  const old::HomogeneousTransforms::Type_foot_X_fr_shin constant;
+  expect_equal(constant, homogeneous.foot_X_fr_shin);
+}
+
 TEST_F(FixedBase, Jacobians) {
   expect_equal(jacobians.fr_trunk_J_foot(q), own::jacobians::fr_trunk_J_foot(q));
   expect_equal(jacobians.head_J_foot.update(q), own::jacobians::head_J_foot(q));

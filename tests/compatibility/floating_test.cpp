@@ -2,11 +2,10 @@
 // gives the numbers of the library's own functions, and with dual numbers their derivatives.
 #include <gtest/gtest.h>
 
-#include <iit/Walker/floating_walker/floating_walker.h>
 #include <iit/robots/floating_walker/miscellaneous.h>
-#include <iit/robots/floating_walker/traits.h>
 
 #include "../codegen/dual.h"
+#include "floating_walker.h"
 
 namespace autodiff {
 
@@ -40,8 +39,6 @@ struct TraitSelector<autodiff::Dual> {
 namespace robcogen::test {
 namespace {
 
-namespace old = iit::Walker;
-namespace own = iit::Walker::floating_walker;
 using autodiff::Dual;
 
 constexpr double kRounding = 1e-12;  // the same kernels: only the order of sums in the getters differs
@@ -50,42 +47,6 @@ template <class A, class B>
 void expect_equal(const A& a, const B& b) {
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), kRounding) << a << "\nand\n" << b;
 }
-
-// All objects of a robot, as a program holds them that is generic over robots and over scalars.
-template <class TRAITS>
-struct Container {
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-  using SCALAR = typename TRAITS::S;
-  using Vector6 = Eigen::Matrix<SCALAR, 6, 1>;
-  using Joints = Eigen::Matrix<SCALAR, TRAITS::joints_count, 1>;
-
-  Container()
-      : jsim(inertias, force),
-        forward(inertias, motion),
-        inverse(inertias, motion),
-        gravity(Vector6::Constant(SCALAR(0))) {
-    gravity(3) = SCALAR(1.5);
-    gravity(5) = SCALAR(-9.0);
-    for (int i = 0; i < 6; ++i) {
-      velocity(i) = SCALAR(0.4 - 0.3 * i);
-      acceleration(i) = SCALAR(0.2 * i - 0.7);
-    }
-    q << SCALAR(0.3), SCALAR(-0.7), SCALAR(1.1);
-    qd << SCALAR(0.5), SCALAR(-1.2), SCALAR(0.8);
-    qdd << SCALAR(-0.4), SCALAR(2.0), SCALAR(0.6);
-  }
-
-  typename TRAITS::HomogeneousTransforms homogeneous;
-  typename TRAITS::MotionTransforms motion;
-  typename TRAITS::ForceTransforms force;
-  typename TRAITS::Jacobians jacobians;
-  typename TRAITS::InertiaProperties inertias;
-  typename TRAITS::JSIM jsim;
-  typename TRAITS::FwdDynEngine forward;
-  typename TRAITS::InvDynEngine inverse;
-  Vector6 gravity, velocity, acceleration;
-  Joints q, qd, qdd;
-};
 
 class FloatingBase : public testing::Test {
  protected:
@@ -244,6 +205,27 @@ TEST_F(FloatingBase, DualNumbers) {
       acceleration, base_acceleration, by_knee.velocity, by_knee.gravity, by_knee.q, by_knee.qd, by_knee.qdd);
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(acceleration(i).derivative, by_knee.jsim.getInverse()(6 + i, 6 + old::KNEE).value, kRounding);
+}
+
+// Derivatives by every input are those of the library's functions of derivatives.
+TEST_F(FloatingBase, DerivativesByDualNumbers) {
+  Eigen::Matrix<double, 18, 9> derivatives;
+  for (int column = 0; column < 9; ++column) {
+    Eigen::Matrix<Dual, 9, 1> x = motion().cast<Dual>();
+    x(column).derivative = 1;
+    const Eigen::Matrix<Dual, 18, 1> y = dynamics(x);
+    for (int row = 0; row < 18; ++row) derivatives(row, column) = y(row).derivative;
+  }
+  expect_equal(derivatives, derivatives_of_dynamics());
+}
+
+// A library without SINGLE_PRECISION also serves float: the program compiles the kernels itself.
+TEST_F(FloatingBase, SinglePrecision) {
+  const Eigen::Matrix<double, 18, 1> expected = dynamics(motion());
+  const Eigen::Matrix<double, 18, 1> result = dynamics<float>(motion().cast<float>()).cast<double>();
+  constexpr double kRoundingOfFloat = 1e-4;  // some 100 operations, and the condition of the inertia matrix
+  EXPECT_LE((result - expected).norm(), kRoundingOfFloat * expected.norm());
+  EXPECT_GT((result - expected).norm(), 0);
 }
 
 }  // namespace

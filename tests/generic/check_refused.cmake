@@ -1,9 +1,10 @@
 # Compiles a file whose lines `// expected: text` each announce one error, and compares the errors with them: no call
-# causes pages of messages. Variables: COMPILER, EIGEN, HEADERS (include directories), FILE.
+# causes pages of messages. Variables: COMPILER, EIGEN, HEADERS (a list of include directories), FILE.
 file(STRINGS ${FILE} expected REGEX "^// expected: ")
 list(LENGTH expected count)
+list(TRANSFORM HEADERS PREPEND -I)
 execute_process(
-  COMMAND ${COMPILER} -std=c++20 -fsyntax-only -isystem ${EIGEN} -I${HEADERS} ${FILE}
+  COMMAND ${COMPILER} -std=c++20 -fsyntax-only -isystem ${EIGEN} ${HEADERS} ${FILE}
   RESULT_VARIABLE status
   ERROR_VARIABLE messages)
 string(REPLACE ";" "," messages "${messages}")  # a list has them between its elements

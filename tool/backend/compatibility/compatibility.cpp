@@ -109,9 +109,10 @@ std::vector<OutputFile> print(const Library& library, const Options& options) {
   std::vector<OutputFile> files = {{compiled, print_compiled(api, compiled)}};
   for (const Header& header : kHeaders) {
     const std::string path = options.include_path + "/" + header.name;
+    const bool is_list = path.ends_with(".inc");
     files.push_back(
         {path, cpp::banner(library, path, std::string(header.what) + ", for programs of the first RobCoGen") +
-                   "\n#pragma once\n" + filled(header.text, values)});
+                   (is_list ? "" : "\n#pragma once\n") + filled(header.text, values)});
   }
   return files;
 }

@@ -61,64 +61,49 @@ std::vector<const cpp::Callable*> functions_of(const cpp::Api& api, const std::s
   return list;
 }
 
-std::vector<std::string> names_of(const std::vector<const cpp::Callable*>& functions) {
-  std::vector<std::string> names;
-  for (const cpp::Callable* f : functions) names.push_back(f->name);
-  return names;
-}
-
-// A pair of frames, and the joint between them if they are those of a link and its parent.
-std::string pair(const std::string& name, const std::string& base, const std::string& members) {
-  return "struct " + name + " : ::robcogen::compatibility::" + base + " {\n" + members + "};\n";
+// What a pair of frames is to the templates of the runtime: that of a link and its parent, with the joint between them,
+// one of frames of one link, or another.
+std::string pair(const model::KinematicTree& tree, const std::string& left, const std::string& right) {
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    const auto frame = [&](int link) { return model::implicit_frame_name(tree.links[at(link)].name); };
+    const std::string parent = frame(tree.joints[j].parent), child = frame(tree.joints[j].child);
+    if (left == parent && right == child) return "ChildToParent<" + std::to_string(j) + ">";
+    if (left == child && right == parent) return "ParentToChild<" + std::to_string(j) + ">";
+  }
+  const auto link = [&](const std::string& frame) { return tree.link_of(*tree.find_frame(frame)); };
+  return link(left) == link(right) ? "ConstantPair" : "FramePair";
 }
 
 void add_transforms(const cpp::Api& api, Words& words) {
-  const model::KinematicTree& tree = api.library->tree;
-  const auto frame = [&](int link) { return model::implicit_frame_name(tree.links[at(link)].name); };
-  std::map<std::pair<std::string, std::string>, std::string> bases, names;
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const std::string parent = frame(tree.joints[j].parent), child = frame(tree.joints[j].child);
-    bases[{parent, child}] = bases[{child, parent}] = "LinkPair<" + std::to_string(j) + ">";
-  }
   const std::vector<const cpp::Callable*> list = functions_of(api, "transforms::homogeneous");
-  for (const cpp::Callable* f : list) {
-    const std::pair<std::string, std::string> frames = {f->function->left, f->function->right};
-    std::string kernels;
-    for (const std::string kind : {"homogeneous", "motion", "force"})
-      for (const cpp::Callable* other : functions_of(api, "transforms::" + kind))
-        if (other->name == f->name) kernels += kernel_member(api, kind, other->kernel);
-    words["TRANSFORM_PAIRS"] += pair(f->name, bases.count(frames) ? bases[frames] : "FramePair", kernels);
-    names[frames] = "object." + f->name;
-  }
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const std::string parent = frame(tree.joints[j].parent), child = frame(tree.joints[j].child);
-    words["VISITS"] += cpp::call("visitor", {std::to_string(j), names[{parent, child}], names[{child, parent}]}, 4);
-  }
+  for (const cpp::Callable* f : list)
+    words["TRANSFORM_ROWS"] +=
+        "ROBCOGEN_TRANSFORM(" + f->name + ", " + pair(api.library->tree, f->function->left, f->function->right) + ")\n";
   words["FIRST_TRANSFORM"] = list.front()->name;
 }
 
 void add_jacobians(const cpp::Api& api, Words& words) {
-  words["JACOBIAN_PAIRS"] = "";
+  words["JACOBIAN_ROWS"] = "";
   for (const cpp::Callable* f : functions_of(api, "jacobians")) {
     const std::string columns = std::to_string(f->function->program.outputs.front().columns);
-    words["JACOBIAN_PAIRS"] += pair(
-        f->name, "FramePair",
-        "  static constexpr int kColumns = " + columns + ";\n" + kernel_member(api, "jacobian", f->kernel));
+    words["JACOBIAN_ROWS"] += "ROBCOGEN_JACOBIAN(" + f->name + ", " + columns + ")\n";
   }
 }
 
-// The constructors and the assignment of a class whose members refer to its parameters, which these getters provide.
+// The constructors and the assignment of a class whose members refer to it: to its parameters, which these getters
+// provide, or to its state.
 std::string constructors(const std::string& type, const std::vector<std::string>& getters) {
-  if (getters.empty()) return "";
   std::vector<std::string> arguments, pointers;
   for (const std::string& getter : getters) {
     const std::string name = getter.substr(getter.find('_') + 1);
     arguments.push_back("const " + getter + "& " + name);
     pointers.push_back("&" + name);
   }
+  const std::string with_getters =
+      getters.empty() ? "" : "  explicit @T@(" + joined(arguments) + ") : Base(" + joined(pointers) + ") {}\n";
   const std::string text =
-      "  @T@() = default;\n  explicit @T@(" + joined(arguments) + ") : Base(" + joined(pointers) +
-      ") {}\n  @T@(const @T@& other) : @T@() { *this = other; }\n  @T@& operator=(const @T@&) = default;\n";
+      "  @T@() = default;\n" + with_getters +
+      "  @T@(const @T@& other) : @T@() { *this = other; }\n  @T@& operator=(const @T@&) = default;\n";
   return replaced(text, "@T@", type);
 }
 
@@ -174,7 +159,7 @@ void add_parameters(const cpp::Api& api, Words& words) {
   words["DEFAULT_GETTERS"] =
       for_each(inertial.names, "  double getValue_@ITEM@() const override { return values.@ITEM@; }\n");
   words["TRANSFORM_CONSTRUCTORS"] = constructors("Transforms", getters);
-  words["JACOBIAN_CONSTRUCTORS"] = constructors("Jacobians", getters);
+  words["JACOBIAN_CONSTRUCTORS"] = getters.empty() ? "" : constructors("Jacobians", getters);
   for (std::string& getter : getters) getter = "const " + getter + "*";
   words["GETTER_POINTERS"] = joined(getters);
   words["HAS_PARAMETERS"] = api.is_parametric() ? "true" : "false";
@@ -279,12 +264,6 @@ std::map<std::string, std::string> words(const cpp::Api& api, const std::string&
                           cpp::numbered_list("static constexpr LinkIdentifiers orderedLinkIDs[linksCount]", links)},
   };
   for (const char* kernel : kKernels) words["KERNELS"] += kernel_member(api, kernel, kernel);
-  for (const auto& [word, scope] : {std::pair{"TRANSFORM", "transforms::homogeneous"}, {"JACOBIAN", "jacobians"}}) {
-    const std::vector<std::string> names = names_of(functions_of(api, scope));
-    words[word + std::string("_TYPES")] =
-        for_each(names, "  using Type_@ITEM@ = Type<compatibility::pairs::@ITEM@>;\n");
-    words[word + std::string("_MEMBERS")] = for_each(names, "  Type_@ITEM@ @ITEM@{this->parameters()};\n");
-  }
   add_transforms(api, words);
   add_jacobians(api, words);
   add_parameters(api, words);

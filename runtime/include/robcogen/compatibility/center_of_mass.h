@@ -14,10 +14,9 @@ typename iit::rbd::Core<typename Trait::Scalar>::Vector3 center_of_mass(
   using Scalar = typename Trait::Scalar;
   typename iit::rbd::Core<Scalar>::Vector3 com;
   const CombinedParameters<Robot, Scalar> combined;
-  const JointState<Robot, Scalar> q = transforms.state();
   call<Robot>(
-      Robot::template center_of_mass<Scalar>, combined.of(transforms.parameters(), inertias.parameters()), q.data(),
-      com.data());
+      Robot::template center_of_mass<Scalar>, combined.of(transforms.parameters(), inertias.parameters()),
+      transforms.state().data(), com.data());
   return com;
 }
 

@@ -57,7 +57,7 @@ class DynamicsBase {
   };
 
   const auto& parameters() const { return parameters_.of(transforms_->parameters(), inertias_->parameters()); }
-  JointState state() const { return transforms_->state(); }
+  const JointState& state() const { return transforms_->state(); }
   void set_state(const JointState& q) const { transforms_->set_state(q); }
 
   // The wrenches on the links as kernels take them.

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <type_traits>
 
 #include <iit/rbd/rbd.h>
 
@@ -63,10 +64,11 @@ struct Absent {};
 // Calls a kernel. Those of robots with parameters take them first.
 template <class Robot, class Kernel, class Parameters, class... Arrays>
 void call(Kernel kernel, [[maybe_unused]] const Parameters& parameters, Arrays... arrays) {
-  static_assert(
-      !std::is_same<Kernel, Absent>::value,
-      "this robot does not have the function: robcogen ops MODEL lists those that it has, with the reasons");
-  if constexpr (Robot::kHasParameters)
+  if constexpr (std::is_same<Kernel, Absent>::value)
+    static_assert(
+        !std::is_same<Kernel, Absent>::value,
+        "this robot does not have the function: robcogen ops MODEL lists those that it has, with the reasons");
+  else if constexpr (Robot::kHasParameters)
     kernel(parameters.data(), arrays...);
   else
     kernel(arrays...);

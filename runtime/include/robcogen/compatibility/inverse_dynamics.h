@@ -1,6 +1,8 @@
 // InverseDynamics of the first RobCoGen over the kernels. The overloads without q are those of the last state.
 #pragma once
 
+#include <algorithm>
+
 #include "robcogen/compatibility/dynamics.h"
 #include "robcogen/compatibility/link_motions.h"
 
@@ -31,11 +33,7 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
     motion_.qd = qd;
     motion_.qdd = qdd;
     motion_.has_wrenches = external != nullptr;
-    if (external)
-      for (Force& wrench : motion_.wrenches) {
-        wrench = Eigen::Map<const Force>(external);
-        external += 6;
-      }
+    if (external) std::copy_n(external, 6 * Robot::kLinks, motion_.wrenches.front().data());
     is_current_ = false;
   }
   void set_base(const Velocity& v, const Acceleration& a, const Acceleration& g) {

@@ -56,7 +56,9 @@ class Jsim : public iit::rbd::StateDependentMatrix<
   }
   // The inverse of H, from L.
   void computeInverse() {
-    Robot::template inertia_factor_inverse<Scalar>(L_.data(), inverse_diagonal_.data(), inverse_.data());
+    call<Factor>(
+        Robot::template inertia_factor_inverse<Scalar>, NoParameters(), L_.data(), inverse_diagonal_.data(),
+        inverse_.data());
   }
 
   const MatrixType& getL() const { return L_; }
@@ -64,8 +66,10 @@ class Jsim : public iit::rbd::StateDependentMatrix<
 
   // Of a floating base.
   const InertiaMatrix& getWholeBodyInertia() const {
-    static_assert(Robot::kFloatingBase, "a fixed base has no getWholeBodyInertia()");
-    whole_body_ = this->template topLeftCorner<6, 6>();
+    static_assert(
+        Robot::kFloatingBase,
+        "a fixed base has no getWholeBodyInertia(): InertiaProperties has the inertia of each link");
+    if constexpr (Robot::kFloatingBase) whole_body_ = this->template topLeftCorner<6, 6>();
     return whole_body_;
   }
   BlockF_t getF() const {
@@ -78,6 +82,11 @@ class Jsim : public iit::rbd::StateDependentMatrix<
   }
 
  private:
+  // The functions of the factor take no parameters.
+  struct Factor {
+    static constexpr bool kHasParameters = false;
+  };
+
   const auto& parameters() const { return parameters_.of(transforms_->parameters(), inertias_->parameters()); }
 
   Inertias* inertias_;

@@ -4,9 +4,10 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <type_traits>
 
 #include "robcogen/compatibility/iit.h"
+#include "robcogen/compatibility/transforms.h"
 
 namespace robcogen::compatibility {
 
@@ -47,8 +48,10 @@ class LinkMotions {
   template <class Transforms, class Inertias>
   void compute(const Motion& motion, const Transforms& transforms, const Inertias& inertias) {
     typename iit::rbd::Core<Scalar>::Matrix66 link_X_parent[Robot::kLinks];
-    Transforms::visit_links(transforms, [&](int joint, const auto&, const auto& parent_to_child) {
-      parent_to_child.compute(transforms.parameters(), motion.q, link_X_parent[Robot::child(joint)].data());
+    Transforms::visit(transforms, [&](const auto& transform) {
+      using Pair = typename std::decay_t<decltype(transform)>::Frames;
+      if constexpr (has_state<MotionKind, Pair>())
+        transform.compute(transforms.parameters(), motion.q, link_X_parent[Robot::child(Pair::kJoint)].data());
     });
     velocity[0] = motion.base_velocity;
     acceleration[0] = motion.base_acceleration;

@@ -2,6 +2,8 @@
 // value.
 #pragma once
 
+#include <type_traits>
+
 #include "robcogen/compatibility/iit.h"
 #include "robcogen/compatibility/parameters.h"
 
@@ -10,12 +12,25 @@ namespace robcogen::compatibility {
 // A pair of frames that is not that of a link and its parent.
 struct FramePair {
   static constexpr int kJoint = -1;
+  static constexpr bool kIsConstant = false;
 };
 
-// The pair of a link and its parent; the joint is between them.
+// A pair of frames of one link.
+struct ConstantPair : FramePair {
+  static constexpr bool kIsConstant = true;
+};
+
+// The pairs of a link and its parent, whose joint is between them.
 template <int kIndex>
-struct LinkPair {
+struct ChildToParent {
   static constexpr int kJoint = kIndex;
+  static constexpr bool kIsConstant = false, kIsChildToParent = true;
+};
+
+template <int kIndex>
+struct ParentToChild {
+  static constexpr int kJoint = kIndex;
+  static constexpr bool kIsConstant = false, kIsChildToParent = false;
 };
 
 // The kinds of matrices: their base class, and the kernel of a pair of frames.
@@ -24,7 +39,7 @@ struct HomogeneousKind {
   using Base = iit::rbd::HomogeneousTransformBase<State, Self>;
   template <class Pair, class Scalar>
   static constexpr auto kernel = Pair::template homogeneous<Scalar>;
-  static constexpr bool kIsChildToParent = true;  // the transform whose position the container has
+  static constexpr bool kIsChildToParent = true;  // of the transforms whose joint positions are the object's state
 };
 
 struct MotionKind {
@@ -50,20 +65,29 @@ struct JacobianKind {
   static constexpr auto kernel = Pair::template jacobian<Scalar>;
 };
 
-// Holds the position of the joint of a LinkPair, so that functions of an object's current state see it.
-template <class Scalar, bool kIsKept>
-struct KeptPosition {
-  template <class State>
-  void keep(const State&, int) {}
-};
+// Whether a transform of this kind, when it is updated, changes the state of the object that has it.
+template <class Kind, class Pair>
+constexpr bool has_state() {
+  if constexpr (Pair::kJoint >= 0)
+    return Pair::kIsChildToParent == Kind::kIsChildToParent;
+  else
+    return false;
+}
 
+// Where a transform writes the position of its joint, in the object that has it. A copy of a transform writes nowhere,
+// and assignment keeps the place.
 template <class Scalar>
-struct KeptPosition<Scalar, true> {
-  Scalar position = Scalar(0);
-  template <class State>
-  void keep(const State& q, int joint) {
-    position = q(joint);
+class StatePlace {
+ public:
+  StatePlace(Scalar* place) : place_(place) {}
+  StatePlace(const StatePlace&) {}
+  StatePlace& operator=(const StatePlace&) { return *this; }
+  void set(const Scalar& position) {
+    if (place_) *place_ = position;
   }
+
+ private:
+  Scalar* place_ = nullptr;
 };
 
 template <class Kind, class Trait, class Robot, class Pair, bool kHasParameters = Robot::kHasParameters>
@@ -71,19 +95,20 @@ class StateMatrix;
 
 // The base of a matrix of this kind. `Self` is the matrix.
 template <class Kind, class Trait, class Robot, class Pair, class Self>
-class StateMatrixBase : public Kind::template Base<JointState<Robot, typename Trait::Scalar>, Pair, Self>,
-                        public KeptPosition<typename Trait::Scalar, Pair::kJoint >= 0> {
+class StateMatrixBase : public Kind::template Base<JointState<Robot, typename Trait::Scalar>, Pair, Self> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   using Scalar = typename Trait::Scalar;
+  using Frames = Pair;
   using State = JointState<Robot, Scalar>;
   using Base = typename Kind::template Base<State, Pair, Self>;
   using Base::operator=;
+  explicit StateMatrixBase(Scalar* place) : place_(place) {}
 
   const Self& update(const State& q) {
     Self& self = static_cast<Self&>(*this);
     compute(self.parameters(), q, this->data());
-    this->keep(q, Pair::kJoint);
+    if constexpr (has_state<Kind, Pair>()) place_.set(q(Pair::kJoint));
     return self;
   }
 
@@ -91,17 +116,28 @@ class StateMatrixBase : public Kind::template Base<JointState<Robot, typename Tr
   static void compute(const Parameters& parameters, const State& q, Scalar* matrix) {
     call<Robot>(Kind::template kernel<Pair, Scalar>, parameters, q.data(), matrix);
   }
+
+ protected:
+  void start() {
+    if constexpr (Pair::kIsConstant)
+      update(State::Constant(Scalar(0)));
+    else
+      this->setConstant(Scalar(0));
+  }
+
+ private:
+  StatePlace<Scalar> place_;
 };
 
-// A matrix of a robot without parameters. Until it is updated, it has its value where all joints are at zero; that of a
-// constant transform never changes.
+// A matrix of a robot without parameters. A constant transform has its value from the start; other matrices are zero
+// until they are updated, because programs construct objects, or single matrices, for each call.
 template <class Kind, class Trait, class Robot, class Pair>
 class StateMatrix<Kind, Trait, Robot, Pair, false>
     : public StateMatrixBase<Kind, Trait, Robot, Pair, StateMatrix<Kind, Trait, Robot, Pair, false>> {
  public:
   using Base = StateMatrixBase<Kind, Trait, Robot, Pair, StateMatrix>;
   using Base::operator=;
-  explicit StateMatrix(NoParameters = {}) { this->update(Base::State::Constant(typename Base::Scalar(0))); }
+  explicit StateMatrix(NoParameters = {}, typename Base::Scalar* place = nullptr) : Base(place) { this->start(); }
   NoParameters parameters() const { return {}; }
 };
 
@@ -114,8 +150,9 @@ class StateMatrix<Kind, Trait, Robot, Pair, true>
   using Base::operator=;
   using Owned = ParametersOf<Robot, typename Trait::Scalar, typename Robot::KinematicsGetters>;
   using Parameters = ParameterReference<Owned>;
-  explicit StateMatrix(const Owned& parameters) : parameters_(parameters) {
-    this->update(Base::State::Constant(typename Base::Scalar(0)));
+  explicit StateMatrix(const Owned& parameters, typename Base::Scalar* place = nullptr)
+      : Base(place), parameters_(parameters) {
+    this->start();
   }
   const Parameters& parameters() const { return parameters_; }
 
@@ -155,7 +192,7 @@ class MatricesBase {
   Parameters parameters_;
 };
 
-// The base of an object of transforms of one kind.
+// The base of an object of transforms of one kind, with the state of the transforms between links and their parents.
 template <class Self, class Kind, class Trait, class Robot>
 class TransformsBase : public MatricesBase<Trait, Robot> {
  public:
@@ -163,31 +200,29 @@ class TransformsBase : public MatricesBase<Trait, Robot> {
   using JState = JointState<Robot, Scalar>;
   using MatricesBase<Trait, Robot>::MatricesBase;
 
-  // The state of which the transforms between links and their parents are.
-  JState state() const {
-    JState q;
-    visit(static_cast<const Self&>(*this), [&](int joint, const auto& transform) { q(joint) = transform.position; });
-    return q;
-  }
+  const JState& state() const { return q_; }
   // Makes it the state, without computing matrices.
-  void set_state(const JState& q) {
-    visit(static_cast<Self&>(*this), [&](int joint, auto& transform) { transform.position = q(joint); });
-  }
+  void set_state(const JState& q) { q_ = q; }
   // The same, and computes these matrices.
   void update_links(const JState& q) {
-    visit(static_cast<Self&>(*this), [&](int, auto& transform) { transform.update(q); });
+    Self::visit(static_cast<Self&>(*this), [&](auto& transform) {
+      using Pair = typename std::decay_t<decltype(transform)>::Frames;
+      if constexpr (has_state<Kind, Pair>()) transform.update(q);
+    });
+  }
+
+ protected:
+  // Where a transform writes its part of the state.
+  template <class Pair>
+  Scalar* place() {
+    if constexpr (has_state<Kind, Pair>())
+      return &q_(Pair::kJoint);
+    else
+      return nullptr;
   }
 
  private:
-  template <class Object, class Visitor>
-  static void visit(Object& object, const Visitor& visitor) {
-    Self::visit_links(object, [&](int joint, auto& child_to_parent, auto& parent_to_child) {
-      if constexpr (Kind::kIsChildToParent)
-        visitor(joint, child_to_parent);
-      else
-        visitor(joint, parent_to_child);
-    });
-  }
+  JState q_ = JState::Constant(Scalar(0));
 };
 
 }  // namespace robcogen::compatibility

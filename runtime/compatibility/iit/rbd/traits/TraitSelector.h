@@ -1,4 +1,5 @@
-// The traits of a scalar.
+// The traits of a scalar. Those of other scalars than double and float have no functions; a program may specialise the
+// selector for its own.
 #pragma once
 
 #include <iit/rbd/traits/DoubleTrait.h>
@@ -6,8 +7,12 @@
 
 namespace iit::rbd::tpl {
 
-template <class Scalar>
-struct TraitSelector {};
+template <class SCALAR>
+struct TraitSelector {
+  struct Trait {
+    using Scalar = SCALAR;
+  };
+};
 template <>
 struct TraitSelector<double> {
   using Trait = DoubleTrait;
