@@ -33,8 +33,10 @@ TEST(ClosedForm, PositionsOfPosesAreThePositions) {
     const Joints q = uniform_joints<Joints>(engine, 3.1);
     const Eigen::Matrix4d X = pose(q);
     const auto branches = ik::fr_base_X_fr_ee(X, q);
+    const auto all = branch_positions(branches, ik::fr_base_X_fr_ee_joints, puma560::kJointTypes);
     for (int branch = 0; branch < 8; ++branch) {
       const Joints found = branch_positions(branches, ik::fr_base_X_fr_ee_joints, puma560::kJointTypes, branch, q);
+      ASSERT_LT((all.col(branch) - found).cwiseAbs().maxCoeff(), 1e-14);
       ASSERT_LT(branches.misfit[branch], 1e-9);
       ASSERT_LT((pose(found) - X).cwiseAbs().maxCoeff(), 1e-12);
       ASSERT_NEAR(branches.determinant[branch], puma560::jacobians::fr_base_J_fr_ee(found).determinant(), 1e-10);

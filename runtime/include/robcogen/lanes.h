@@ -95,17 +95,6 @@ ROBCOGEN_INLINE Scalar square_root(const Scalar& x) noexcept {
   return sqrt(x);
 }
 
-// Not std::atan2, for the same reason.
-template <class Scalar>
-ROBCOGEN_INLINE Scalar arc_tangent(const Scalar& sine, const Scalar& cosine) noexcept {
-#if defined(__GNUC__)
-  if constexpr (std::is_same_v<Scalar, float>) return __builtin_atan2f(sine, cosine);
-  if constexpr (std::is_same_v<Scalar, double>) return __builtin_atan2(sine, cosine);
-#endif
-  using std::atan2;
-  return atan2(sine, cosine);
-}
-
 }  // namespace lanes
 
 // kSize scalars (a power of two): one vector if a register of the processor holds it, otherwise two halves. A lane may
@@ -212,16 +201,6 @@ class Lanes<Scalar, kSize, true> {
       return result;
     }
   }
-  // Computed lane by lane.
-  friend ROBCOGEN_INLINE Lanes atan2(const Lanes& sine, const Lanes& cosine) noexcept {
-    Lanes result = sine;
-    if constexpr (kSize == 1) {
-      result.vector_ = lanes::arc_tangent(sine.vector_, cosine.vector_);
-    } else {
-      for (int i = 0; i < kSize; ++i) result.vector_[i] = lanes::arc_tangent(sine[i], cosine[i]);
-    }
-    return result;
-  }
 
  private:
   template <int... kLane>
@@ -291,9 +270,6 @@ class Lanes<Scalar, kSize, false> {
   }
   friend ROBCOGEN_INLINE Lanes operator-(const Lanes& a) noexcept { return {-a.low_, -a.high_}; }
   friend ROBCOGEN_INLINE Lanes sqrt(const Lanes& a) noexcept { return {sqrt(a.low_), sqrt(a.high_)}; }
-  friend ROBCOGEN_INLINE Lanes atan2(const Lanes& sine, const Lanes& cosine) noexcept {
-    return {atan2(sine.low_, cosine.low_), atan2(sine.high_, cosine.high_)};
-  }
 
  private:
   template <int... kLane>

@@ -83,9 +83,13 @@ class Inversion {
     if (found.swivel)
       return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
     inversion::StepSolver s = solver();
-    std::vector<Branch> list = inversion::branches(trace.graph, s, chain, found.plan->steps, given, signs);
-    for (Branch& branch : list) branch.misfit += remaining_misfit(branch);
-    return list;
+    return inversion::branches(trace.graph, s, chain, found.plan->steps, given, signs);
+  }
+
+  Expression misfit(const Branch& branch) {
+    trace.graph.begin_section("pose of the branch", "end");
+    const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
+    return inversion::misfit(trace.graph, solver(), closure, branch.values);
   }
 
   Expression determinant(const Branch& branch) {
@@ -113,31 +117,9 @@ class Inversion {
     return of_chain;
   }
 
-  inversion::StepSolver solver() { return {trace.graph, chain, target, references(), found.plan->lengths_agree}; }
-
-  // A chain with fewer joints than the task has coordinates misses some targets though every equation has a solution:
-  // the difference of the poses tells which.
-  Expression remaining_misfit(const Branch& branch) {
-    const int coordinates = chain.task.kind == InverseTask::Kind::pose    ? 6
-                            : chain.task.kind == InverseTask::Kind::point ? 3
-                                                                          : 5;
-    if (chain.joints - (chain.given >= 0 ? 1 : 0) >= coordinates) return {};
-    trace.graph.begin_section("pose of the branch", "end");
-    const auto constant = [&](const inversion::Numbers3& v) {
-      return Vector3{trace.graph.constant(v[0]), trace.graph.constant(v[1]), trace.graph.constant(v[2])};
-    };
-    Expression squares;
-    const inversion::StepSolver s = solver();
-    const Vector3 end = s.moved(constant(chain.position), false, branch.values) - target.position;
-    squares += dot(end, end);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (chain.task.kind == InverseTask::Kind::point || (chain.task.kind == InverseTask::Kind::axis && k < 2))
-        continue;
-      const Vector3 column = {target.rotation[0][k], target.rotation[1][k], target.rotation[2][k]};
-      const Vector3 difference = s.moved(constant(chain.rotation[k]), true, branch.values) - column;
-      squares += dot(difference, difference);
-    }
-    return sqrt(squares);
+  inversion::StepSolver solver() {
+    return {
+        trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>()};
   }
 };
 
@@ -174,7 +156,7 @@ Program inverse_kinematics(
       s.push_back(branch.values[at(k)]->sine);
       c.push_back(inversion.chain.axis(k).turns ? branch.values[at(k)]->cosine : Expression());
     }
-    misfit.push_back(branch.misfit);
+    misfit.push_back(inversion.misfit(branch));
     determinant.push_back(inversion.determinant(branch));
   }
   trace.output("sin_q", Role::matrix, inversion.chain.joints, sines);
@@ -204,7 +186,7 @@ Program inverse_kinematics_branch(
     q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
   }
   trace.output("q", Role::joint_position, trace.positions(q));
-  trace.output("misfit", Role::residual, std::vector<Expression>{branch.misfit});
+  trace.output("misfit", Role::residual, std::vector<Expression>{inversion.misfit(branch)});
   trace.output("determinant", Role::residual, std::vector<Expression>{inversion.determinant(branch)});
   return trace.program(name);
 }

@@ -70,8 +70,9 @@ const Dialect& dialect() {
   static const Dialect cpp = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"Lanes2", "Lanes4", "Lanes8",   "Scalar", "atan2",  "cos",  "kept", "kept_2",
-                    "kept_4", "kept_8", "robcogen", "sin",    "sincos", "sqrt", "std",  "sum_lanes"};
+    d.used_names = {"Lanes2", "Lanes4", "Lanes8",   "Scalar", kArcTangent, "cos",  "kept", "kept_2",
+                    "kept_4", "kept_8", "robcogen", "sin",    "sincos",    "sqrt", "std",  "sum_lanes"};
+    d.arc_tangent = kArcTangent;
     d.line_limit = kColumns - kIndentation;
     d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;

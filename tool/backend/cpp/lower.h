@@ -16,6 +16,9 @@ using backend::Line;
 using backend::LiveValues;
 using backend::SplitKernel;
 
+// The function of the runtime for arc tangents, in <robcogen/arc_tangent.h>.
+inline constexpr const char* kArcTangent = "arc_tangent";
+
 const Dialect& dialect();
 
 // Inputs, then outputs, under the names that they have in the kernel; all marked as used.

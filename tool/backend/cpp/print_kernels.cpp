@@ -37,13 +37,17 @@ std::string counts(const symbolic::Program& program) {
   return counts(symbolic::cost(program));
 }
 
+std::string using_declaration(const std::string& function) {
+  return "  using " + std::string(function == kArcTangent ? "robcogen" : "std") + "::" + function + ";\n";
+}
+
 }  // namespace
 
 std::string body(const Kernel& kernel) {
   std::string result;
   for (const int width : kernel.widths) result += "  using " + type(width) + " = " + lanes(width) + ";\n";
   if (!kernel.widths.empty() && kernel.functions.empty()) result += "\n";
-  for (const std::string& function : kernel.functions) result += "  using std::" + function + ";\n";
+  for (const std::string& function : kernel.functions) result += using_declaration(function);
   if (!kernel.functions.empty()) result += "\n";
   return result + backend::body(kernel, dialect());
 }
@@ -361,6 +365,10 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
   if (solves) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
+  const std::string arc_tangent = using_declaration(kArcTangent);
+  const auto calls_it = [&](const std::string& text) { return text.find(arc_tangent) != std::string::npos; };
+  if (std::any_of(cores.begin(), cores.end(), calls_it) || std::any_of(kernels.begin(), kernels.end(), calls_it))
+    headers.insert(headers.begin(), "\"robcogen/arc_tangent.h\"");
   const std::string remark =
       "// Kernels that take precomputed sin(q) and cos(q), in the layout of joint_trigonometry.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));

@@ -7,91 +7,16 @@
 #include <mutex>
 #include <utility>
 
-#include "algorithm/kinematics/inverse/probes.h"
+#include "algorithm/kinematics/inverse/laboratory.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 
 namespace robcogen::algorithm::inversion {
 namespace {
 
-using symbolic::Node;
-using symbolic::Op;
-
 // How many orders are kept for each set of found joints, and steps for each joint.
 constexpr std::size_t kOrders = 20, kSteps = 8;
 // A root that differs by more is not the joint's position.
 constexpr double kSameRoot = 1e-6;
-
-int weight(const Graph& graph, std::size_t mark) {
-  int sum = 0;
-  for (std::size_t i = mark; i < graph.nodes().size(); ++i) {
-    const Node& n = graph.nodes()[i];
-    if (n.kind != Node::Kind::operation) continue;
-    switch (n.op) {
-      case Op::divide:
-      case Op::square_root:
-        sum += 5;
-        break;
-      case Op::sine:
-      case Op::cosine:
-        sum += 10;
-        break;
-      default:
-        ++sum;
-    }
-  }
-  return sum;
-}
-
-// A graph whose inputs are a target, references, and sines and cosines of joints, with numbers for them.
-class Laboratory {
- public:
-  explicit Laboratory(const SerialChain& chain) : chain_(chain) {
-    graph.forget_names();
-    int element = 0;
-    if (chain.task.kind == model::InverseTask::Kind::point)
-      for (std::size_t k = 0; k < 3; ++k) target.rotation[k][k] = graph.one();
-    else
-      for (Vector3& row : target.rotation.row)
-        for (std::size_t k = 0; k < 3; ++k) row[k] = graph.input(element++);
-    for (std::size_t k = 0; k < 3; ++k) target.position[k] = graph.input(element++);
-    for (int k = 0; k < chain.joints; ++k) references.push_back(graph.input(element++));
-    for (int k = 0; k < chain.joints; ++k) {
-      const Expression sine = graph.input(element++), cosine = graph.input(element++);
-      joints.push_back({sine, chain.axis(k).turns ? cosine : graph.one()});
-    }
-  }
-
-  Graph graph;
-  Target target;
-  std::vector<Expression> references;
-  std::vector<JointValue> joints;
-
-  // Numbers for one state after the other.
-  void set(std::size_t state, const NumberPose& pose, const std::vector<double>& q) {
-    const std::vector<SineCosine> values = sines_cosines(chain_, q);
-    std::size_t element = 0;
-    const auto next = [&](double value) {
-      if (inputs.size() <= element) inputs.emplace_back();
-      inputs[element++][state] = value;
-    };
-    if (chain_.task.kind != model::InverseTask::Kind::point)
-      for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t c = 0; c < 3; ++c) next(pose.rotation[c][r]);
-    for (const double x : pose.position) next(x);
-    for (const double position : q) next(position);
-    for (const SineCosine& value : values) next(value.sine), next(value.cosine);
-  }
-  std::vector<ProbeValues> inputs;
-
-  JointValues given() const {
-    JointValues values(chain_.axes.size());
-    if (chain_.given >= 0) values[at(chain_.given)] = joints[at(chain_.given)];
-    return values;
-  }
-
- private:
-  const SerialChain& chain_;
-};
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Search
@@ -210,13 +135,13 @@ class PlanSearch {
 // Comparison of complete plans
 
 // Which vector steps need no square root, because lengths agree for targets in and out of reach, also near the axes.
-std::vector<bool> lengths_that_agree(const SerialChain& chain, const std::vector<Step>& steps) {
+std::vector<bool> lengths_that_agree(const SerialChain& chain, const std::vector<Step>& steps, int rounds) {
   Laboratory lab(chain);
   StepSolver solver(lab.graph, chain, lab.target, lab.references);
   branches(lab.graph, solver, chain, steps, lab.given());
   std::vector<bool> agree(chain.axes.size(), true);
   Random random(3);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     for (std::size_t state = 0; state < kProbes; ++state) {
       const std::vector<double> q = random_positions(chain, random, false);
       NumberPose target = pose(chain, sines_cosines(chain, random_positions(chain, random, false)));
@@ -278,13 +203,13 @@ double determinant_of_jacobian(const SerialChain& chain, const std::vector<SineC
 // A plan, traced and measured.
 class Trial {
  public:
-  Trial(const SerialChain& chain, std::vector<Step> steps) : chain_(chain), lab_(chain) {
-    plan_.chain = chain;
-    plan_.lengths_agree = lengths_that_agree(chain, steps);
-    plan_.steps = std::move(steps);
-    StepSolver solver(lab_.graph, chain, lab_.target, lab_.references, plan_.lengths_agree);
+  Trial(const SerialChain& chain, std::vector<Step> steps, int rounds = 4)
+      : chain_(chain),
+        lab_(chain),
+        plan_{chain, std::move(steps)},
+        solver_(lab_.graph, chain, lab_.target, lab_.references, lengths(rounds)) {
     const std::size_t mark = lab_.graph.mark();
-    branches_ = branches(lab_.graph, solver, chain, plan_.steps, lab_.given());
+    branches_ = branches(lab_.graph, solver_, chain, plan_.steps, lab_.given());
     cost_ = weight(lab_.graph, mark);
   }
 
@@ -317,21 +242,25 @@ class Trial {
 
   int cost() const { return cost_; }
 
-  // With the factor between roots and determinant.
+  // With the check of its branches, and the factor between roots and determinant.
   Plan plan() {
+    std::vector<JointValues> values;
+    for (const Branch& branch : branches_) values.push_back(branch.values);
+    plan_.closure = cheapest_closure(lab_.graph, solver_, chain_, values);
     Random random(7);
-    std::vector<std::vector<double>> positions;
+    std::vector<NumberPose> targets;
     for (std::size_t state = 0; state < kProbes; ++state) {
-      positions.push_back(random_positions(chain_, random, false));
-      lab_.set(state, pose(chain_, sines_cosines(chain_, positions.back())), positions.back());
+      const std::vector<double> q = random_positions(chain_, random, false);
+      targets.push_back(pose(chain_, sines_cosines(chain_, q)));
+      lab_.set(state, targets.back(), q);
     }
     Probes probes(lab_.graph, lab_.inputs);
     std::vector<double> ratios;
     for (const Branch& branch : branches_) {
-      const ProbeValues misfit = probes(branch.misfit), product = probes(branch.product);
+      const ProbeValues product = probes(branch.product);
       const auto found = numbers_of(branch, probes);
       for (std::size_t state = 0; state < kProbes; ++state)
-        if (std::abs(misfit[state]) < 1e-9)
+        if (task_error(chain_, pose(chain_, found[state]), targets[state]) < 1e-9)
           ratios.push_back(determinant_of_jacobian(chain_, found[state]) / product[state]);
     }
     plan_.determinant_per_root = ratios.empty() ? 0.0 : ratios.front();
@@ -344,8 +273,14 @@ class Trial {
   const SerialChain& chain_;
   Laboratory lab_;
   Plan plan_;
+  StepSolver solver_;
   std::vector<Branch> branches_;
   int cost_ = 0;
+
+  const std::vector<bool>& lengths(int rounds) {
+    plan_.lengths_agree = lengths_that_agree(chain_, plan_.steps, rounds);
+    return plan_.lengths_agree;
+  }
 
   // By state.
   std::vector<std::vector<SineCosine>> numbers_of(const Branch& branch, Probes& probes) const {
@@ -395,7 +330,7 @@ std::vector<Branch> branches(
     const std::vector<Step>& steps,
     const JointValues& given,
     const std::vector<Expression>* signs) {
-  std::vector<Branch> list = {{given, {}, graph.one()}};
+  std::vector<Branch> list = {{given, graph.one()}};
   std::size_t root = 0;
   for (const Step& step : steps) {
     graph.begin_section("joint " + describe(chain, step), chain.axis(step.joint).name);
@@ -413,7 +348,6 @@ std::vector<Branch> branches(
         if (!found) return {};
         Branch& next = longer.emplace_back(branch);
         next.values[at(step.joint)] = found->value;
-        next.misfit += found->misfit;
         if (step.has_two_roots(chain)) next.product = next.product * found->root;
       }
     list = std::move(longer);
@@ -430,14 +364,18 @@ Search search(const SerialChain& chain) {
   }
   std::vector<Order> orders = PlanSearch(chain).orders(result.found);
   std::optional<std::pair<int, int>> best;
+  std::vector<Step>* steps = nullptr;
   for (Order& order : orders) {
     if (order.roots > orders.front().roots) break;
-    Trial trial(chain, std::move(order.steps));
+    Trial trial(chain, order.steps);
     const std::pair<int, int> measure = {class_of(trial.error()), trial.cost()};
     if (best && !(measure < *best)) continue;
     best = measure;
-    result.plan = trial.plan();
+    steps = &order.steps;
   }
+  // Lengths that differ for few targets out of reach only are found by more of them.
+  constexpr int kManyRounds = 500;
+  if (steps) result.plan = Trial(chain, std::move(*steps), kManyRounds).plan();
   return result;
 }
 

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "algorithm/kinematics/inverse/step_solver.h"
+#include "algorithm/kinematics/inverse/closure.h"
 
 namespace robcogen::algorithm::inversion {
 
 struct Plan {
   SerialChain chain;
   std::vector<Step> steps;
-  std::vector<bool> lengths_agree;  // StepSolver
+  std::vector<bool> lengths_agree = {};  // StepSolver
+  Closure closure = {};                  // which tells whether a branch has the pose
   // The product of the roots, times this number, is the determinant of the Jacobian; zero if it is not, for some
   // chains.
   double determinant_per_root = 0.0;
@@ -39,7 +40,6 @@ const Search& search(const model::KinematicTree& tree, const model::FramePair& f
 
 struct Branch {
   JointValues values;
-  Expression misfit;
   Expression product;  // of the roots
 };
 

@@ -181,6 +181,17 @@ StepSolver::Sides StepSolver::sides(const Step& step, const JointValues& values,
   return s;
 }
 
+Vector3 StepSolver::difference(const Feature& feature, int cut, const JointValues& values) const {
+  const Item x = item(feature);
+  const int begin = feature.begin, end = feature.end, last = chain_.size();
+  if (cut <= begin) {
+    const Item far = by_target(along(x, end, last, values, true), false);
+    return along(x, cut, begin, values, false).v - along(far, 0, cut, values, true).v;
+  }
+  const Item far = by_target(along(x, 0, begin, values, false), true);
+  return along(x, end, cut, values, true).v - along(far, cut, last, values, false).v;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Solutions
 
@@ -190,8 +201,7 @@ std::optional<SolvedJoint> StepSolver::two_roots(
     const Vector3& right,
     const Expression& value,
     const Expression& sign,
-    const std::optional<Discriminant>& discriminant,
-    bool is_distance) {
+    const std::optional<Discriminant>& discriminant) {
   const Basis& e = bases_[at(joint)];
   const Expression lu = dot(e.u, left), lw = dot(e.w, left), lh = dot(e.h, left);
   const Expression ru = dot(e.u, right), rw = dot(e.w, right), rh = dot(e.h, right);
@@ -209,7 +219,7 @@ std::optional<SolvedJoint> StepSolver::two_roots(
       radius_square = square(A) + square(B);
     }
     const Expression radius = sqrt(radius_square), inverse = graph_.one() / radius;
-    return SolvedJoint{{sign * (A * inverse), -(sign * (B * inverse))}, {}, sign * radius};
+    return SolvedJoint{{sign * (A * inverse), -(sign * (B * inverse))}, sign * radius};
   }
   Expression radius_square;
   if (is_radius_constant) {
@@ -227,18 +237,6 @@ std::optional<SolvedJoint> StepSolver::two_roots(
   found.value.cosine = difference_of_products(A, D, B, root) * inverse;
   found.value.sine = sum_of_products(B, D, A, root) * inverse;
   found.root = root;
-  if (discriminant) {
-    found.misfit = sqrt(square(discriminant->k) + positive) - sqrt(discriminant->lengths);
-    return found;
-  }
-  found.misfit = far - radius;
-  // In metres, if one of the two lengths is constant.
-  if (is_distance)
-    for (const Expression& length : {left_square, right_square})
-      if (length.is_constant() && !is_almost_zero(length)) {
-        found.misfit = (1.0 / std::sqrt(length.number().value())) * found.misfit;
-        break;
-      }
   return found;
 }
 
@@ -252,7 +250,7 @@ std::optional<SolvedJoint> StepSolver::turned(int joint, const Vector3& from, co
   lengths_.push_back({joint, a_square, b_square});
   const auto result = [&](const Expression& inverse) {
     const Expression sine = s * inverse;
-    return SolvedJoint{{is_backward ? -sine : sine, c * inverse}, {}, {}};
+    return SolvedJoint{{is_backward ? -sine : sine, c * inverse}, {}};
   };
   const bool is_one_constant = a_square.is_constant() || b_square.is_constant();
   if (lengths_agree_[at(joint)]) {
@@ -290,7 +288,7 @@ std::optional<SolvedJoint> StepSolver::by_vector(const Step& step, const JointVa
   }
   if (!chain_.axis(m).turns) {
     const Expression distance = dot(bases_[at(m)].h, to.v - from.v);
-    return SolvedJoint{{is_backward ? -distance : distance, graph_.one()}, {}, {}};
+    return SolvedJoint{{is_backward ? -distance : distance, graph_.one()}, {}};
   }
   if (x.is_direction) return turned(m, from.v, to.v, is_backward);
   const Vector3 origin = axis_point(m);
@@ -331,7 +329,7 @@ std::optional<SolvedJoint> StepSolver::by_angle(const Step& step, const JointVal
   std::optional<Discriminant> discriminant;
   if (!is_almost_zero(value - dot(h, left) * dot(h, right)))
     discriminant = of_aligned(m, s.a.v, s.b.v, a0, b_far, value);
-  return two_roots(m, left, right, value, sign, discriminant, false);
+  return two_roots(m, left, right, value, sign, discriminant);
 }
 
 std::optional<SolvedJoint> StepSolver::by_distance(
@@ -349,8 +347,8 @@ std::optional<SolvedJoint> StepSolver::by_distance(
     const Vector3 between = left - right;
     const Expression middle = dot(bases_[at(m)].h, between);
     const Expression rest = square(middle) - dot(between, between) + dot(d, d);
-    const Expression size = magnitude(rest), root = sign * sqrt(0.5 * (rest + size));
-    return SolvedJoint{{middle + root, graph_.one()}, sqrt(0.5 * (size - rest)), root};
+    const Expression root = sign * sqrt(0.5 * (rest + magnitude(rest)));
+    return SolvedJoint{{middle + root, graph_.one()}, root};
   }
   const Vector3 origin = axis_point(m);
   left -= origin;
@@ -364,7 +362,7 @@ std::optional<SolvedJoint> StepSolver::by_distance(
   } else {
     value = 0.5 * (dot(left, left) + dot(right, right) - dot(d, d));
   }
-  return two_roots(m, left, right, value, sign, {}, true);
+  return two_roots(m, left, right, value, sign, {});
 }
 
 std::optional<SolvedJoint> StepSolver::by_height(const Step& step, const JointValues& values, const Expression& sign) {
@@ -392,13 +390,13 @@ std::optional<SolvedJoint> StepSolver::by_height(const Step& step, const JointVa
     if (is_almost_zero(slope)) return std::nullopt;
     // The joint moves what is on the right: the point, or the plane.
     const Expression position = (height - dot(normal, point - of_plane)) / (is_normal_left ? slope : -slope);
-    return SolvedJoint{{position, graph_.one()}, {}, {}};
+    return SolvedJoint{{position, graph_.one()}, {}};
   }
   const Vector3 origin = axis_point(m);
   const Expression value = height + dot(normal, of_plane - origin);
   const Vector3 arm = point - origin;
-  return is_normal_left ? two_roots(m, normal, arm, value, sign, {}, false)
-                        : two_roots(m, arm, normal, value, sign, {}, false);
+  return is_normal_left ? two_roots(m, normal, arm, value, sign, {})
+                        : two_roots(m, arm, normal, value, sign, {});
 }
 
 // The axis of the joint and the normal of the plane meet: from there, the point is equally far both ways.
@@ -423,8 +421,8 @@ std::optional<SolvedJoint> StepSolver::at_meeting_axes(
   const Vector3 far_arm = far.v - origin;
   const Expression value = dot(normal, far_arm);
   const Discriminant discriminant = of_aligned(m, normal, arm, normal, far_arm, value);
-  return is_a_plane == is_a_left ? two_roots(m, normal, arm, value, sign, discriminant, false)
-                                 : two_roots(m, arm, normal, value, sign, discriminant, false);
+  return is_a_plane == is_a_left ? two_roots(m, normal, arm, value, sign, discriminant)
+                                 : two_roots(m, arm, normal, value, sign, discriminant);
 }
 
 std::optional<SolvedJoint> StepSolver::solve(const Step& step, const JointValues& values, const Expression& sign) {
@@ -432,7 +430,6 @@ std::optional<SolvedJoint> StepSolver::solve(const Step& step, const JointValues
   if (!found || !graph_.keeps_names()) return found;
   graph_.describe(found->value.sine, of_joint(chain_, step.joint, chain_.axis(step.joint).turns ? "sin" : "position"));
   graph_.describe(found->value.cosine, of_joint(chain_, step.joint, "cos"));
-  graph_.describe(found->misfit, of_joint(chain_, step.joint, "misfit"));
   graph_.describe(found->root, of_joint(chain_, step.joint, "root"));
   return found;
 }

@@ -23,8 +23,7 @@ struct Target {
 
 struct SolvedJoint {
   JointValue value;
-  Expression misfit;  // zero if the equation has solutions; otherwise by how much it has none
-  Expression root;    // that the sign multiplies, with the sign; zero where both roots meet
+  Expression root;  // that the sign multiplies, with the sign; zero where both roots meet
 };
 
 class StepSolver {
@@ -54,6 +53,10 @@ class StepSolver {
   }
   // Where the target puts x of the last link.
   Vector3 of_target(const Vector3& x, bool is_direction) const { return by_target({x, is_direction}, false).v; }
+
+  // Of the places of a feature that the joints before it and those behind it tell, in coordinates of the link before
+  // the joint `cut`, which is none of its own.
+  Vector3 difference(const Feature& feature, int cut, const JointValues& values) const;
 
   // By vector step that was solved: the squared lengths of its vectors across the axis.
   struct Lengths {
@@ -112,8 +115,7 @@ class StepSolver {
       const Vector3& right,
       const Expression& value,
       const Expression& sign,
-      const std::optional<Discriminant>& discriminant,
-      bool is_distance);
+      const std::optional<Discriminant>& discriminant);
   std::optional<SolvedJoint> turned(int joint, const Vector3& from, const Vector3& to, bool is_backward);
   std::optional<SolvedJoint> solved(const Step& step, const JointValues& values, const Expression& sign);
   std::optional<SolvedJoint> by_vector(const Step& step, const JointValues& values);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithm/kinematics/inverse/laboratory.h"
+
 namespace robcogen::algorithm::inversion {
 namespace {
 
@@ -118,6 +120,12 @@ std::optional<SwivelPlan> swivel_plan(const SerialChain& chain) {
   if (!of_shoulder.plan || !of_wrist.plan) return std::nullopt;
   plan.shoulder = *of_shoulder.plan;
   plan.wrist = *of_wrist.plan;
+  Laboratory lab(chain);
+  const Expression swivel = lab.joints.front().sine;  // any number
+  std::vector<JointValues> values;
+  for (const Branch& branch : swivel_branches(lab.graph, plan, lab.target, lab.references, swivel, nullptr))
+    values.push_back(branch.values);
+  plan.closure = cheapest_closure(lab.graph, {lab.graph, chain, lab.target, lab.references}, chain, values);
   return plan;
 }
 
@@ -178,7 +186,6 @@ std::vector<Branch> swivel_branches(
           branch.values[at(k)] = shoulder.values[at(k)];
           branch.values[at(kElbow + 1 + k)] = wrist.values[at(k)];
         }
-        branch.misfit = elbow->misfit + shoulder.misfit + wrist.misfit;
         branch.product = elbow->root * shoulder.product * wrist.product;
       }
   }

@@ -17,6 +17,7 @@ struct SwivelPlan {
   Numbers3 shoulder_point{}, wrist_point{};
   Step elbow;            // from the distance of both points
   Plan shoulder, wrist;  // from the orientations behind the third joint and behind the last one
+  Closure closure;       // which tells whether a branch has the pose
 
   int roots() const { return 1 + shoulder.roots() + wrist.roots(); }
   int branches() const { return 1 << roots(); }

@@ -1,0 +1,153 @@
+#include "algorithm/kinematics/inverse/closure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "algorithm/kinematics/inverse/laboratory.h"
+
+namespace robcogen::algorithm::inversion {
+namespace {
+
+using Kind = Feature::Kind;
+using Task = model::InverseTask::Kind;
+
+// Two directions tell a rotation if they differ by more than 37 degrees.
+constexpr double kLeastWeight = 0.2;
+
+Expression square_of_difference(const StepSolver& solver, const Closure::Item& item, const JointValues& values) {
+  const Vector3 difference = solver.difference(item.feature, item.cut, values);
+  return dot(difference, difference);
+}
+
+// The largest distance of the last frame from a point of a link. What slides counts as one metre.
+double reach(const SerialChain& chain, const Feature& point) {
+  double sum = 0.0;
+  Numbers3 x = point.point;
+  for (int k = point.end; k < chain.joints; ++k) {
+    const ChainAxis& axis = chain.axis(k);
+    if (!axis.turns) {
+      sum += 1.0;
+      continue;
+    }
+    const Numbers3 foot = axis.point + dot(axis.direction, x - axis.point) * axis.direction;
+    sum += norm(x - foot);
+    x = foot;
+  }
+  return sum + norm(chain.position - x);
+}
+
+class ClosureSearch {
+ public:
+  ClosureSearch(
+      Graph& graph,
+      const StepSolver& solver,
+      const SerialChain& chain,
+      const std::vector<JointValues>& branches)
+      : graph_(graph), solver_(solver), chain_(chain), branches_(branches) {}
+
+  Closure found() {
+    if (chain_.task.kind == Task::orientation) return {};  // of a part of a chain, which is checked as a whole
+    if (chain_.task.kind == Task::point) return {{of_target(Kind::point)}, {}};
+    if (chain_.task.kind == Task::axis) return {{of_target(Kind::point)}, {of_target(Kind::direction)}};
+    for (const Feature& f : features_of(chain_).all)
+      if (f.kind != Kind::plane) (f.kind == Kind::point ? points_ : directions_).push_back(priced(f));
+    std::optional<Closure> best;
+    int least = 0;
+    for (int link = 0; link <= chain_.joints; ++link)
+      if (const auto [closure, cost] = of_link(link); closure && (!best || cost < least)) {
+        best = closure;
+        least = cost;
+      }
+    return *best;
+  }
+
+ private:
+  struct Priced {
+    Closure::Item item;
+    int cost;
+  };
+
+  Graph& graph_;
+  const StepSolver& solver_;
+  const SerialChain& chain_;
+  const std::vector<JointValues>& branches_;
+  std::vector<Priced> points_, directions_;
+
+  Closure::Item of_target(Kind kind) {
+    return priced({kind, chain_.joints, chain_.size(), chain_.position, chain_.rotation[2]}).item;
+  }
+
+  // Seen from where it costs least.
+  Priced priced(const Feature& feature) {
+    std::optional<Priced> best;
+    for (int cut = 0; cut <= chain_.joints; ++cut) {
+      if (cut > feature.begin && cut < feature.end) continue;
+      const Closure::Item item = {feature, cut};
+      const std::size_t mark = graph_.mark();
+      for (const JointValues& values : branches_) square_of_difference(solver_, item, values);
+      const int cost = weight(graph_, mark);
+      graph_.rollback(mark);
+      if (!best || cost < best->cost) best = {item, cost};
+    }
+    return *best;
+  }
+
+  struct OfLink {
+    std::optional<Closure> closure;
+    int cost = 0;
+  };
+  // A point of the link and two directions.
+  OfLink of_link(int link) const {
+    const auto is_of_link = [&](const Priced& p) {
+      return p.item.feature.begin <= link && link <= p.item.feature.end;
+    };
+    const Priced* point = nullptr;
+    for (const Priced& p : points_)
+      if (is_of_link(p) && (!point || p.cost < point->cost)) point = &p;
+    const Priced *first = nullptr, *second = nullptr;
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+      for (std::size_t k = i + 1; k < directions_.size(); ++k) {
+        const Priced &a = directions_[i], &b = directions_[k];
+        if (!is_of_link(a) || !is_of_link(b) || angle_weight(a, b) < kLeastWeight) continue;
+        if (first && first->cost + second->cost <= a.cost + b.cost) continue;
+        first = &a;
+        second = &b;
+      }
+    if (!point || !first) return {};
+    const double far = reach(chain_, point->item.feature);
+    return {
+        Closure{
+            {point->item},
+            {first->item, second->item},
+            std::sqrt(1.0 + far * far),
+            1.0 / angle_weight(*first, *second)},
+        point->cost + first->cost + second->cost};
+  }
+
+  // A rotation by a chord s moves them by at least s times the root of this, in the root of the sum of squares.
+  static double angle_weight(const Priced& a, const Priced& b) {
+    const double cosine = std::abs(dot(a.item.feature.direction, b.item.feature.direction));
+    return cosine < kSameDirection ? 1.0 : 1.0 - cosine;
+  }
+};
+
+}  // namespace
+
+Closure cheapest_closure(
+    Graph& graph,
+    const StepSolver& solver,
+    const SerialChain& chain,
+    const std::vector<JointValues>& branches) {
+  return ClosureSearch(graph, solver, chain, branches).found();
+}
+
+Expression misfit(Graph& graph, const StepSolver& solver, const Closure& closure, const JointValues& values) {
+  Expression points, directions;
+  for (const Closure::Item& item : closure.points) points += square_of_difference(solver, item, values);
+  for (const Closure::Item& item : closure.directions) directions += square_of_difference(solver, item, values);
+  const Expression length = sqrt(points + graph.constant(closure.direction_weight) * directions);
+  return graph.constant(closure.scale) * length;
+}
+
+}  // namespace robcogen::algorithm::inversion
