@@ -36,8 +36,7 @@ bool LoopContext::has_start(const std::vector<int>& joints) const {
 
 std::string LoopContext::where(const std::vector<int>& joints) const {
   if (!has_start(joints)) return "at q = 0";
-  return assembled_form == AssembledForm::key ? "as drawn, or as the first 'key' has it"
-                                              : "at the 'assembled' positions";
+  return assembled_form == AssembledForm::key ? "in the pose of assembly" : "at the 'assembled' positions";
 }
 
 std::string LoopContext::assembled_text(double position) const {

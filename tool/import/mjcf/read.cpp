@@ -118,6 +118,7 @@ Document read_document(
   if (!document.loops.empty()) {
     for (const Element& section : root.children)
       if (section.name == "keyframe" && !document.has_key) document.has_key = read_key(section, document, diagnostics);
+    if (document.has_key) --document.ignored["keyframe/key"];
     split_ball_joints(document, diagnostics);
   }
   std::erase_if(document.ignored, [](const auto& entry) { return entry.second == 0; });
