@@ -1,5 +1,5 @@
 // Following joints, compared with the relations that determine them.
-#include "import/urdf/linear_relations.h"
+#include "import/linear_relations.h"
 
 #include <gtest/gtest.h>
 

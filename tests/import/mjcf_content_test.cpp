@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -372,6 +373,158 @@ TEST(Mjcf, IncludesFilesThroughSymbolicLinks) {
   EXPECT_EQ(read("<include file='arm.inc'/><include file='./arm.inc'/>"), Codes{"included-twice"});
   EXPECT_EQ(read("<include file='self.inc'/>"), Codes{"include-cycle"});
   fs::remove_all(folder);
+}
+
+// A crank and a rocker on the world, whose ends an equality connects, and a bar on the crank.
+std::string four_bar(const std::string& equality, const std::string& after = "", const std::string& pin = "") {
+  return std::string("<mujoco><worldbody><body name='crank'><joint name='turn'/>") + kInertial +
+         "<body name='bar' pos='1 0 0'><joint name='pin' " + pin + "/>" + kInertial +
+         "<site name='end' pos='0 2 0' euler='0 0 10'/></body></body><body name='rocker' pos='3 1 0'><joint "
+         "name='rock'/>" +
+         kInertial + "<site name='eye' pos='-2 1 0'/></body></worldbody><equality>" + equality + "</equality>" + after +
+         "</mujoco>";
+}
+
+std::array<double, 3> position_of(const model::LoopEnd& end) {
+  std::array<double, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = model::evaluate(end.placement.translation[i]);
+  return result;
+}
+
+TEST(Mjcf, LoopsConnectBodiesOrSites) {
+  const model::KinematicTree bodies =
+      tree_of(four_bar("<connect name='tip' body1='bar' body2='rocker' anchor='0 2 0'/>"));
+  const model::KinematicTree sites = tree_of(four_bar("<connect site1='end' site2='eye'/>"));
+  ASSERT_EQ(bodies.loops.size(), 1U);
+  ASSERT_EQ(sites.loops.size(), 1U);
+  EXPECT_EQ(bodies.loops[0].name, "tip");
+  EXPECT_EQ(sites.loops[0].name, "bar_rocker");
+  EXPECT_EQ(bodies.loops[0].ends[1].frame, "tip_2");
+  EXPECT_EQ(sites.loops[0].ends[1].frame, "eye");
+  for (const model::KinematicTree& tree : {bodies, sites}) {
+    EXPECT_EQ(tree.loops[0].type, model::LoopType::point);
+    EXPECT_EQ(position_of(tree.loops[0].ends[0]), (std::array<double, 3>{0, 2, 0}));
+    EXPECT_EQ(position_of(tree.loops[0].ends[1]), (std::array<double, 3>{-2, 1, 0}));
+    EXPECT_EQ(tree.dof(), 1);
+  }
+  const std::string held = "<connect body1='bar' anchor='0 2 0'/>";
+  EXPECT_EQ(tree_of(four_bar(held)).loops[0].ends[1].link, 0);
+  EXPECT_EQ(position_of(tree_of(four_bar(held)).loops[0].ends[1]), (std::array<double, 3>{1, 2, 0}));
+  EXPECT_EQ(
+      robot_document(four_bar("<connect body1='bar' body2='world' anchor='0 2 0'/>")), robot_document(four_bar(held)));
+}
+
+TEST(Mjcf, LoopsCanBeLeftOut) {
+  const std::string loop = "body1='bar' body2='rocker' anchor='0 2 0'";
+  EXPECT_EQ(robot_document(four_bar("<connect active='false' " + loop + "/>")), robot_document(four_bar("")));
+  Diagnostics diagnostics;
+  const auto open = import::mjcf(
+      std::make_shared<Source>("robot.xml", four_bar("<connect " + loop + "/>")), "robot.xml",
+      {.free_equality_joints = true}, diagnostics);
+  ASSERT_TRUE(open);
+  EXPECT_TRUE(open->tree.loops.empty());
+  EXPECT_EQ(open->tree.dof(), 3);
+}
+
+TEST(Mjcf, LoopsAreAssembledInTheFirstKeyOrAsDrawn) {
+  const std::string loop = "<connect body1='bar' body2='rocker' anchor='0 2 0'/>";
+  const auto assembled = [&](const std::string& keys, const std::string& pin = "") {
+    std::vector<double> positions;
+    for (const model::Joint& joint : tree_of(four_bar(loop, "<keyframe>" + keys + "</keyframe>", pin)).joints)
+      positions.push_back(joint.assembled_position());
+    return positions;
+  };
+  using Positions = std::vector<double>;
+  EXPECT_EQ(assembled(""), (Positions{0, 0, 0}));
+  EXPECT_EQ(assembled("<key time='1'/><key qpos='0.5 -0.4\n0.3'/><key qpos='1 1 1'/>"), (Positions{0.5, -0.4, 0.3}));
+  EXPECT_EQ(assembled("", "ref='90'"), (Positions{0, std::acos(-1.0) / 2, 0}));
+}
+
+TEST(Mjcf, KeysInWhichLoopsCannotCloseAreIgnored) {
+  const auto document = [](const std::string& keys) {
+    return robot_document(
+        std::string("<mujoco><worldbody><body euler='0 0 10'><joint name='turn' ref='5'/>") + kInertial +
+        "<body name='bar' pos='1 0 0'><joint name='pin'/>" + kInertial + "</body></body><body name='slider'>" +
+        "<joint type='slide' axis='1 0 0'/>" + kInertial + "</body></worldbody><equality>" +
+        "<connect body1='bar' body2='slider' anchor='0.5 0 0'/></equality><keyframe>" + keys + "</keyframe></mujoco>");
+  };
+  EXPECT_EQ(document("<key qpos='1.4 0 0'/>"), document(""));
+  EXPECT_NE(document("<key qpos='0.2 0 0'/>"), document(""));
+}
+
+TEST(Mjcf, JointsOfActuatorsAndSpringsStayIndependent) {
+  const std::string loop = "<connect body1='bar' body2='rocker' anchor='0 2 0'/>";
+  const auto coordinate = [&](const std::string& after, const std::string& pin = "") {
+    const model::KinematicTree tree = tree_of(four_bar(loop, after, pin));
+    return tree.dof() == 1 ? tree.joints[static_cast<std::size_t>(tree.coordinates()[0])].name : "";
+  };
+  EXPECT_EQ(coordinate(""), "turn");
+  EXPECT_EQ(coordinate("<actuator><motor joint='rock'/></actuator>"), "rock");
+  EXPECT_EQ(coordinate("", "stiffness='3'"), "pin");
+  EXPECT_EQ(
+      coordinate("<tendon><fixed name='t'><joint joint='pin' coef='1'/></fixed></tendon><actuator><motor tendon='t'/>"
+                 "</actuator>"),
+      "pin");
+}
+
+TEST(Mjcf, BallJointsInLoopsBecomeHinges) {
+  const model::KinematicTree tree =
+      tree_of(four_bar("<connect body1='bar' body2='rocker' anchor='0 2 0'/>", "", "type='ball'"));
+  std::vector<std::string> names;
+  for (const model::Joint& joint : tree.joints) names.push_back(joint.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"turn", "pin_1", "pin_2", "pin_3", "rock"}));
+  EXPECT_EQ(tree.dof(), 2);
+  // The last hinge is along the rod: no loop moves it.
+  EXPECT_EQ(tree.coupling_of(3), nullptr);
+  const model::KinematicTree apart = tree_of(four_bar("", "", "type='ball'"));
+  EXPECT_EQ(apart.spherical_joints().size(), 1U);
+}
+
+TEST(Mjcf, CopiesHaveLoopsOfTheirOwn) {
+  const model::KinematicTree tree = tree_of(
+      std::string("<mujoco><worldbody><replicate count='2' offset='0 0 1'><body name='crank'><joint name='turn'/>") +
+      kInertial + "<body name='bar' pos='1 0 0'><joint name='pin'/>" + kInertial +
+      "</body></body><body name='rocker' " + "pos='3 1 0'><joint name='rock'/>" + kInertial +
+      "</body></replicate></worldbody><equality>" +
+      "<connect body1='bar' body2='rocker' anchor='0 2 0'/></equality></mujoco>");
+  ASSERT_EQ(tree.loops.size(), 2U);
+  EXPECT_EQ(tree.dof(), 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const model::LoopEnd& end : tree.loops[k].ends)
+      EXPECT_TRUE(tree.links[static_cast<std::size_t>(end.link)].name.ends_with(k == 0 ? "0" : "1"));
+}
+
+TEST(Mjcf, StraightTendonsAreActuatorsOrDistances) {
+  const std::string tendon = "<tendon><spatial name='rope'><site site='end'/><site site='eye'/></spatial></tendon>";
+  const model::KinematicTree pulled =
+      tree_of(four_bar("", tendon + "<actuator><motor tendon='rope'/><position tendon='rope'/></actuator>"));
+  ASSERT_EQ(pulled.actuators.size(), 1U);
+  EXPECT_EQ(pulled.actuators[0].name, "rope");
+  EXPECT_EQ(pulled.actuators[0].frames, (std::array<std::string, 2>{"end", "eye"}));
+  EXPECT_TRUE(tree_of(four_bar("", tendon)).actuators.empty());
+  const std::string rope = "<tendon><spatial name='rope'><site site='end'/><site site='post'/></spatial></tendon>";
+  const model::KinematicTree rod = tree_of(
+      std::string("<mujoco><worldbody><site name='post' pos='1 2 4'/><body><joint name='j'/>") + kInertial +
+      "<body><joint name='k'/>" + kInertial + "<site name='end' pos='1 0 2'/></body></body></worldbody>" + rope +
+      "<equality><tendon tendon1='rope' polycoef='0.25'/></equality></mujoco>");
+  ASSERT_EQ(rod.loops.size(), 1U);
+  EXPECT_EQ(rod.loops[0].type, model::LoopType::distance);
+  EXPECT_NEAR(model::evaluate(rod.loops[0].length), std::sqrt(8.0) + 0.25, 1e-15);
+}
+
+TEST(Mjcf, EqualitiesOfFixedTendonsAreCouplings) {
+  const auto document = [](const std::string& equality) {
+    return coupled(
+        "<tendon><fixed name='s'><joint joint='a' coef='2'/></fixed><fixed name='t'><joint joint='b' coef='4'/>"
+        "</fixed></tendon>",
+        equality);
+  };
+  EXPECT_EQ(
+      robot_document(document("<tendon tendon1='t' tendon2='s' polycoef='0.4 3'/>")),
+      robot_document(document("<joint joint1='b' joint2='a' polycoef='0.1 1.5'/>")));
+  EXPECT_EQ(
+      robot_document(document("<tendon tendon1='t' polycoef='0.4'/>")),
+      robot_document(document("<joint joint1='b' polycoef='0.1'/>")));
 }
 
 }  // namespace

@@ -146,9 +146,17 @@ const Model& mjcf_model() {
             <replicate @replicate@><body name='r'><geom size='0.1' pos='0.3 0 0'/></body></replicate>
             <body name='shape'><geom type='mesh' mesh='m'/></body>
           </body>
+          <body name='p'><joint name='p'/><geom size='0.1'/>
+            <body name='q' pos='1 0 0'><joint name='q'/><geom size='0.1'/></body></body>
+          <body name='w' pos='1 1 0'><joint name='w'/><geom size='0.1'/></body>
+          <body name='u'><joint name='u' type='slide'/><geom size='0.1'/></body>
+          <body name='v'><joint name='v' type='slide'/><geom size='0.1'/></body>
+          <body name='y'><joint name='y'/><geom size='0.1'/><body><joint name='z'/><geom size='0.1'/></body></body>
         </worldbody>
-        <equality>%equality%<joint @equality/joint@/></equality>
-        <tendon>%tendon%<fixed @tendon@><joint joint='j' coef='1'/></fixed></tendon>
+        <equality>%equality%<joint @equality/joint@/><connect @equality/connect@/><weld @equality/weld@/>
+          <tendon @equality/tendon@/></equality>
+        <tendon>%tendon%<fixed @tendon@><joint joint='j' coef='1'/></fixed>
+          <fixed name='f'><joint joint='y' coef='1'/></fixed><fixed name='g'><joint joint='z' coef='2'/></fixed></tendon>
         <actuator>%actuator%<motor @actuator@/></actuator>
         <contact>%contact%</contact><deformable>%deformable%</deformable><sensor>%sensor%</sensor>
         <keyframe>%keyframe%</keyframe>
@@ -161,6 +169,9 @@ const Model& mjcf_model() {
        {"inertial", "pos='0.1 0.2 0.3' mass='1' diaginertia='1 2 2.5'"},
        {"replicate", "count='2'"},
        {"equality/joint", "joint1='k' joint2='j'"},
+       {"equality/connect", "body1='q' body2='w' anchor='1 0.5 0'"},
+       {"equality/weld", "body1='u' body2='v'"},
+       {"equality/tendon", "tendon1='f' tendon2='g'"},
        {"actuator", "joint='j' gear='2' armature='0.5'"}}};
   return model;
 }

@@ -145,7 +145,8 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
   subcommand.add_flag(
       "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
-      "--free-mimic-joints", options.free_mimic_joints, "URDF, MJCF: coupled joints are read as independent joints");
+      "--free-mimic-joints", options.free_mimic_joints,
+      "URDF, MJCF: coupled joints are read as independent joints; loops of MJCF are left open");
   subcommand.add_flag(
       "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
   subcommand

@@ -151,6 +151,7 @@ std::string hint_to_choose(const LoopContext& context, const LoopAssemblies& ass
   const LoopAssembly& first = assemblies.assemblies.front();
   const bool has_two = assemblies.assemblies.size() > 1 && assemblies.assemblies[1].leader == first.leader;
   const auto position = [&](const LoopAssembly& way, int joint) { return way.positions[index_of(assemblies, joint)]; };
+  if (context.assembled_form == AssembledForm::key) return "give the model a 'key' whose 'qpos' has these positions";
   if (context.assembled_form == AssembledForm::none) {
     const std::vector<int> turned = first.leader < 0 ? assemblies.dependents : std::vector<int>{first.leader};
     std::string text;

@@ -106,8 +106,9 @@ struct DescribedIndependent {
   Place place;
 };
 
-// How the format of the document writes DescribedJoint::assembled: `assembled = 0.5`, `assembled="0.5"`, or not at all.
-enum class AssembledForm { none, item, attribute };
+// How the format of the document writes DescribedJoint::assembled: not at all, `assembled = 0.5`, `assembled="0.5"`, or
+// as an element of a `key` of MJCF.
+enum class AssembledForm { none, item, attribute, key };
 
 // Like Limb, with names instead of indices.
 struct DescribedLimb {
@@ -132,6 +133,9 @@ struct Description {
   std::vector<DescribedCoupling> couplings = {};
   std::vector<DescribedLoop> loops = {};
   std::vector<DescribedIndependent> independents = {};  // empty: they are chosen automatically
+  // Joints that do not follow others as long as joints without drives can. Those with a rotor, armature or a limit of
+  // effort are among them anyway.
+  std::vector<std::string> driven = {};
   std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};

@@ -67,6 +67,8 @@ class Basis {
 
 // Joint motions that differ by less than this fraction are the same.
 constexpr double kSameMotion = 1e-6;
+// Of the size of the loops: motions below this are rounding, as where a rod spins about the line between its ends.
+constexpr double kNoMotion = 1e-13;
 
 void append(Column& rows, const Numbers3& v, double factor = 1.0) {
   for (const double x : v) rows.push_back(factor * x);
@@ -213,6 +215,8 @@ LoopCluster::Rows LoopCluster::rows(std::vector<double>& q) const {
         for (const Coupling::Term& term : coupling->terms) add(term.joint, evaluate(term.factor, parameters_), rate);
     }
   }
+  for (Column& column : all.columns)
+    if (length_of(column) < kNoMotion * lever) std::fill(column.begin(), column.end(), 0.0);
   return all;
 }
 

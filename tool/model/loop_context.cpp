@@ -35,7 +35,8 @@ bool LoopContext::has_start(const std::vector<int>& joints) const {
 }
 
 std::string LoopContext::where(const std::vector<int>& joints) const {
-  return has_start(joints) ? "at the 'assembled' positions" : "at q = 0";
+  if (!has_start(joints)) return "at q = 0";
+  return assembled_form == AssembledForm::key ? "in the pose of assembly" : "at the 'assembled' positions";
 }
 
 std::string LoopContext::assembled_text(double position) const {
@@ -46,6 +47,7 @@ std::string LoopContext::assembled_text(double position) const {
 }
 
 std::string LoopContext::hint_to_close(const std::vector<int>& joints) const {
+  if (assembled_form == AssembledForm::key) return "give the model a 'key' whose 'qpos' closes the loops";
   if (has_start(joints))
     return "independent joints are at their 'assembled' positions, or at zero: check lengths and frames";
   return std::string("loops are assembled with the independent joints at q = 0: check lengths and frames, or ") +
@@ -55,6 +57,7 @@ std::string LoopContext::hint_to_close(const std::vector<int>& joints) const {
 }
 
 std::string LoopContext::hint_to_assemble(const std::vector<int>& joints, const std::string& how) const {
+  if (assembled_form == AssembledForm::key) return fmt::format("give the model a 'key' with a 'qpos' in which {}", how);
   if (has_start(joints)) return fmt::format("'assembled' must give positions near which {}", how);
   const std::string turned = fmt::format("turn the placement of a joint so that {} at q = 0", how);
   if (assembled_form == AssembledForm::none) return turned;
@@ -69,7 +72,7 @@ bool LoopContext::is_free(int joint) const {
 
 bool LoopContext::is_driven(int joint) const {
   const Joint& j = tree.joints[at(joint)];
-  return j.drive.has_inertia() || std::isfinite(j.limits.effort);
+  return driven.contains(joint) || j.drive.has_inertia() || std::isfinite(j.limits.effort);
 }
 
 std::string LoopContext::hint_to_free(const std::vector<int>& joints) const {

@@ -19,6 +19,7 @@ struct LoopContext {
   std::set<int> given;               // joints that are part of couplings
   std::map<int, Place> independent;  // joints that are to be independent
   AssembledForm assembled_form = AssembledForm::none;
+  std::set<int> driven = {};  // joints that the description names as such
 
   const std::string& name(int joint) const;
   std::string quoted(const std::vector<int>& joints) const;

@@ -19,6 +19,8 @@ namespace {
 LoopContext context_of(const Description& description, KinematicTree& tree, Diagnostics& diagnostics) {
   LoopContext context{tree, diagnostics, {}, {}, {}, description.assembled_form};
   for (const Parameter& p : tree.parameters) context.parameters.push_back(p.default_value.value_or(1.0));
+  for (const std::string& name : description.driven)
+    if (const auto joint = tree.find_joint(name)) context.driven.insert(*joint);
   for (const Coupling& coupling : tree.couplings) {
     context.given.insert(coupling.joint);
     for (const Coupling::Term& term : coupling.terms) context.given.insert(term.joint);

@@ -5,18 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "import/mjcf/describe_loops.h"
 #include "support/index.h"
 #include "support/unique_names.h"
 
 namespace robcogen::import::from_mjcf {
 
 namespace {
-
-// The link that a body belongs to, and its pose in the frame of that link.
-struct Carried {
-  int link = -1;  // index into the links, where [0] is the base; -1 if the body is not part of the robot
-  Pose pose;
-};
 
 // The frame of the joint, with z along its axis, in the frame of its body.
 Pose pose_of_joint(const Joint& joint) {
@@ -58,6 +53,8 @@ class Describer {
     }
     description_.base = std::move(links_[0]);
     for (const Coupling& coupling : document_.couplings) add_couplings(coupling);
+    add_tendon_couplings(document_, identifiers_, description_, diagnostics_);
+    add_loops(document_, identifiers_, carried_, description_);
     return std::move(description_);
   }
 

@@ -20,9 +20,16 @@ struct Name {
   Place place;
 };
 
+// A name in the file, from which `replicate` makes several by suffixes.
+struct Written {
+  std::string text;
+  std::string suffix;
+};
+
 // A named point of a body: a user frame of the model.
 struct Site {
   Name name;
+  Written written;
   Pose pose;  // in the frame of the body
 };
 
@@ -39,12 +46,6 @@ struct Part {
 
 // Returns the inertia of a part of the body that has this pose, in the frame of the pose.
 model::Inertia inertia_of(const Part& part, const Pose& body);
-
-// A name in the file, from which `replicate` makes several by suffixes.
-struct Written {
-  std::string text;
-  std::string suffix;
-};
 
 // Stiffness and damping of a joint by the motion that they make: see resolve_spring_dampers.
 struct SpringDamper {
@@ -66,6 +67,8 @@ struct Joint {
   model::DrivePlaces places;
   std::optional<SpringDamper> spring_damper;
   model::Quantity added_damping;  // by actuators
+  bool is_pulled = false;         // by an actuator, or by one of a tendon
+  std::vector<double> key;        // its position in the first `key`: a number, or a quaternion; empty if there is none
 };
 
 struct PlacedElement {
@@ -83,6 +86,8 @@ struct FreeJoint {
 
 struct Body {
   Name name;
+  Written written;
+  bool is_mocap = false;
   int parent = -1;  // body; -1 for the world
   Pose pose;        // in the frame of the parent
   bool moves = false;
@@ -105,9 +110,54 @@ struct Coupling {
   Number factor = Number::rational(1);
 };
 
-// Whether the name refers to this joint, or to all of its copies.
-inline bool is_named(const Joint& joint, const std::string& name) {
-  return !name.empty() && (joint.written.text == name || joint.name.text == name);
+// A point and axes that a body carries.
+struct Anchor {
+  std::size_t body = 0;
+  Pose pose;      // in the frame of the body
+  int site = -1;  // index into the sites of the body; -1 if the document has no name for it
+  Place place;
+};
+
+// A constraint between two anchors.
+struct Loop {
+  std::string name;  // as written, or made from the names of its ends
+  Place place;
+  model::LoopType type = model::LoopType::point;
+  std::array<Anchor, 2> ends;
+  Number length;  // of a distance
+};
+
+struct Tendon {
+  // fixed: a sum over joints. straight: between two sites. winding: through more sites, around geoms or over pulleys.
+  enum class Kind { fixed, straight, winding };
+  struct Term {
+    Name joint;
+    Number factor;
+  };
+  Name name;
+  Kind kind = Kind::winding;
+  std::vector<Term> terms;    // of a fixed tendon
+  std::array<Name, 2> sites;  // of a straight one
+  bool is_used = false;       // by a coupling, a loop or a cylinder
+};
+
+// The sum of factor (q - q0) over joints equals the offset, where q0 are their reference positions.
+struct TendonCoupling {
+  Name tendon;
+  std::vector<Tendon::Term> terms;
+  Number offset;
+};
+
+// A straight tendon that actuators pull.
+struct Cylinder {
+  Name name;
+  std::array<Anchor, 2> ends;
+};
+
+// Whether the name refers to this element, or to all of its copies.
+template <class Element>
+bool is_named(const Element& element, const std::string& name) {
+  return !name.empty() && (element.written.text == name || element.name.text == name);
 }
 
 // The bodies that are the robot. The base is the floating body, or the world.
@@ -121,6 +171,12 @@ struct Document {
   std::vector<Body> bodies;  // [0] is the world; parents before children, depth first
   Robot robot;
   std::vector<Coupling> couplings;
+  std::vector<Tendon> tendons;
+  std::vector<TendonCoupling> tendon_couplings;
+  std::vector<Loop> loops;
+  std::vector<Cylinder> cylinders;
+  bool has_key = false;  // the joints have the positions of a `key`
+  Place key_place;
   std::map<std::string, int> ignored;  // number of elements that are not read, by name
 };
 

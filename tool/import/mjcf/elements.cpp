@@ -58,10 +58,13 @@ constexpr Row kRows[] = {
      "plugin"},
     {"site", "class fromto name pos type+", "group material rgba size user", ""},
     {"equality", "", "", "connect weld joint tendon flex flexvert flexstrain distance"},
+    {"equality/connect", "active anchor body1 body2 class name site1 site2", "solimp solref", ""},
+    {"equality/weld", "active anchor body1 body2 class name relpose site1 site2 torquescale", "solimp solref", ""},
     {"equality/joint", "active class joint1 joint2 name polycoef", "solimp solref", ""},
+    {"equality/tendon", "active class name polycoef tendon1 tendon2", "solimp solref", ""},
     {"tendons", "", "", "spatial fixed"},
-    {"tendon", "armature class damping frictionloss stiffness",
-     "actuatorfrclimited actuatorfrcrange group limited margin material name range rgba solimpfriction solimplimit "
+    {"tendon", "armature class damping frictionloss name stiffness",
+     "actuatorfrclimited actuatorfrcrange group limited margin material range rgba solimpfriction solimplimit "
      "solreffriction solreflimit springlength user width",
      "site geom pulley joint"},
     {"actuators", "", "",

@@ -6,6 +6,7 @@
 
 #include "import/mjcf/check.h"
 #include "import/mjcf/describe.h"
+#include "import/mjcf/describe_loops.h"
 #include "import/xml/frame_names.h"
 
 namespace robcogen::import {
@@ -34,6 +35,11 @@ void mention_ignored(const Document& document, Diagnostics& diagnostics) {
     diagnostics.note("ignored-elements", document.name.place, fmt::format("elements that are not read: {}", list));
 }
 
+bool can_be_built(const model::Description& description, const MjcfOptions& options) {
+  Diagnostics diagnostics;
+  return model::build(description, options.changes, diagnostics).has_value();
+}
+
 }  // namespace
 
 std::optional<Mjcf> mjcf(
@@ -53,14 +59,26 @@ std::optional<Mjcf> mjcf(
     return std::nullopt;
   }
   check_names(*root, diagnostics);
-  const Document document = read_document(*root, file, options, result.included, diagnostics);
+  Document document = read_document(*root, file, options, result.included, diagnostics);
   const Identifiers identifiers = identifiers_of(document, diagnostics);
   if (failed()) return std::nullopt;
   model::Description description = describe(document, identifiers, diagnostics);
   if (failed()) return std::nullopt;
   mention_ignored(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
+  if (document.has_key && !can_be_built(description, options)) {
+    diagnostics.note(
+        "key-not-used", document.key_place, "the loops cannot be closed in this 'key': they are assembled as drawn");
+    Diagnostics repeated;
+    document.has_key = false;
+    description = describe(document, identifiers, repeated);
+    rename_hidden_frames(description, repeated);
+  }
+  if (!document.has_key) check_drawn_loops(document, diagnostics);
   std::optional<model::KinematicTree> tree = model::build(description, options.changes, diagnostics);
+  if (!tree && !document.loops.empty())
+    diagnostics.note(
+        "loops-can-be-left-open", document.loops.front().place, "--free-mimic-joints leaves the loops of MJCF open");
   if (!tree) return std::nullopt;
   result.tree = std::move(*tree);
   return result;

@@ -70,9 +70,8 @@ class OrientationReader {
     if (attribute.name == "xyaxes") return of_axes(attribute, n);
     if (attribute.name == "zaxis") return of_z_axis(attribute, n);
     if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, angle(attribute, n[3]));
-    const std::array<Real, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
-    if (q == std::array<Real, 4>()) return no_direction(attribute);
-    return rotation_of(matrix_of_quaternion(q[0], q[1], q[2], q[3]));
+    const std::array<double, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
+    return q == std::array<double, 4>() ? no_direction(attribute) : rotation_of_quaternion(q);
   }
 
  private:
@@ -180,6 +179,10 @@ std::array<model::Quantity, 3> quantities(const std::array<Number, 3>& numbers) 
 
 Pose pose_of(const Element& element, const Settings& settings, Diagnostics& diagnostics) {
   return {quantities(Values(diagnostics).triple(element, "pos", {})), orientation_of(element, settings, diagnostics)};
+}
+
+Rotation rotation_of_quaternion(const std::array<double, 4>& q) {
+  return rotation_of(matrix_of_quaternion(q[0], q[1], q[2], q[3]));
 }
 
 }  // namespace robcogen::import::from_mjcf

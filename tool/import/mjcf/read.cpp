@@ -14,7 +14,9 @@ void ignore_section(const Element& section, Document& document) {
   static const std::vector<std::string> kCounted = {"contact",  "deformable", "tendon",  "sensor",
                                                     "keyframe", "extension",  "equality"};
   if (std::find(kCounted.begin(), kCounted.end(), section.name) == kCounted.end()) return;
-  for (const Element& child : section.children) ++document.ignored[section.name + "/" + child.name];
+  for (const Element& child : section.children)
+    if (section.name != "tendon" || (child.name != "fixed" && child.name != "spatial"))
+      ++document.ignored[section.name + "/" + child.name];
 }
 
 // Warns once about forces of tendons.
@@ -99,6 +101,8 @@ Document read_document(
   Meshes meshes(root, settings, defaults, file.parent_path(), read, diagnostics);
   read_masses(document, {settings, defaults, diagnostics, meshes});
   align_free_body(document, settings, diagnostics);
+  for (const Element& section : root.children)
+    if (section.name == "tendon") read_tendons(section, document, diagnostics);
   for (const Element& section : root.children) {
     if (section.name == "equality") {
       read_equalities(section, settings, defaults, options, document, diagnostics);
@@ -109,7 +113,14 @@ Document read_document(
       ignore_section(section, document);
     }
   }
+  count_unused_tendons(document);
   resolve_spring_dampers(document, diagnostics);
+  if (!document.loops.empty()) {
+    for (const Element& section : root.children)
+      if (section.name == "keyframe" && !document.has_key) document.has_key = read_key(section, document, diagnostics);
+    if (document.has_key) --document.ignored["keyframe/key"];
+    split_ball_joints(document, diagnostics);
+  }
   std::erase_if(document.ignored, [](const auto& entry) { return entry.second == 0; });
   return document;
 }

@@ -16,13 +16,16 @@ class ActuatorReader {
 
   void read(const Element& given) {
     if (!is_actuator(given.name) && given.name != "plugin") return;
-    ++document_.ignored["actuator/" + given.name];
     const Element e = defaults_.resolved(given, nullptr, "actuator");
+    const Attribute* joint = find(e, "joint");
+    if (joint == nullptr) joint = find(e, "jointinparent");
+    const Attribute* tendon = find(e, "tendon");
+    const bool is_read = joint == nullptr && tendon != nullptr && pull_tendon(e, *tendon, document_, diagnostics_);
+    if (!is_read) ++document_.ignored["actuator/" + given.name];
+    if (joint != nullptr) mark(*joint);
     const Attribute* armature = nonzero(e, "armature");
     const Attribute* damping = nonzero(e, "damping");
     if (armature == nullptr && damping == nullptr) return;
-    const Attribute* joint = find(e, "joint");
-    if (joint == nullptr) joint = find(e, "jointinparent");
     if (joint == nullptr)
       report_other_target(e, armature != nullptr ? *armature : *damping);
     else
@@ -33,6 +36,11 @@ class ActuatorReader {
   const Attribute* nonzero(const Element& e, const char* name) {
     const Attribute* found = find(e, name);
     return found != nullptr && has_nonzero(*found, diagnostics_) ? found : nullptr;
+  }
+
+  void mark(const Attribute& target) {
+    for (Body& body : document_.bodies)
+      for (Joint& joint : body.joints) joint.is_pulled = joint.is_pulled || is_named(joint, target.value);
   }
 
   // MuJoCo refuses these attributes for other targets than joints and tendons.

@@ -56,7 +56,7 @@ class BodyReader {
         document_.bodies[body].geoms.push_back({geom, scope.frame});
       } else if (e.name == "site") {
         const Element site = defaults_.resolved(e, scope.childclass);
-        document_.bodies[body].sites.push_back({name_of(e, scope), scope.frame * site_pose(site)});
+        document_.bodies[body].sites.push_back({name_of(e, scope), written(e, scope), scope.frame * site_pose(site)});
       } else if (e.name == "inertial") {
         read_inertial(e, parent, body);
       } else {
@@ -97,6 +97,7 @@ class BodyReader {
     const std::size_t body = document_.bodies.size();
     Body own;
     own.name = name_of(e, scope);
+    own.written = written(e, scope);
     own.parent = static_cast<int>(parent);
     own.pose = scope.frame * pose_of(e, settings_, *diagnostics_);
     own.moves = document_.bodies[parent].moves || has_joint(e);
@@ -109,7 +110,8 @@ class BodyReader {
     read_content(e, body, inner);
     const auto begin = document_.bodies.begin() + static_cast<std::ptrdiff_t>(body);
     const bool carries = std::any_of(begin, document_.bodies.end(), [](const Body& b) { return b.moves; });
-    if (Values(*diagnostics_).word(e, "mocap", {"false", "true"}, 0) == 1 && carries)
+    document_.bodies[body].is_mocap = Values(*diagnostics_).word(e, "mocap", {"false", "true"}, 0) == 1;
+    if (document_.bodies[body].is_mocap && carries)
       diagnostics_->warning(
           "motion-capture", find(e, "mocap")->place, "this body is taken as fixed: its pose is not an input");
   }

@@ -1,4 +1,4 @@
-// Reads constraints between joints.
+// Reads constraints between joints, and finds those of other kinds.
 #include <fmt/format.h>
 
 #include <utility>
@@ -33,6 +33,19 @@ void read_coupling(const Element& e, const Attribute& joint, Document& document,
   document.couplings.push_back(std::move(coupling));
 }
 
+void read_other(const Element& e, const MjcfOptions& options, Document& document, Diagnostics& diagnostics) {
+  const bool is_loop = e.name == "connect" || e.name == "weld";
+  if (!is_loop && e.name != "tendon") {
+    ++document.ignored["equality/" + e.name];
+  } else if (options.free_equality_joints) {
+    diagnostics.note("constraint-left-out", e.place, fmt::format("this '{}' of 'equality' is ignored", e.name));
+  } else if (is_loop) {
+    read_loop(e, document, diagnostics);
+  } else {
+    read_tendon_equality(e, document, diagnostics);
+  }
+}
+
 }  // namespace
 
 void read_equalities(
@@ -48,7 +61,7 @@ void read_equalities(
     const Element e = defaults.resolved(given, nullptr, "equality");
     if (Values(diagnostics).word(e, "active", {"false", "true"}, 1) == 0) continue;
     if (e.name != "joint") {
-      ++document.ignored["equality/" + e.name];
+      read_other(e, options, document, diagnostics);
       continue;
     }
     const Attribute* joint = find(e, "joint1");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "import/urdf/linear_relations.h"
+#include "import/linear_relations.h"
 #include "import/urdf/link_pair.h"
 #include "import/urdf/loops.h"
 #include "support/index.h"

@@ -45,9 +45,13 @@ void rename_hidden_frames(model::Description& description, Diagnostics& diagnost
     renamed.emplace(frame.name, name);
     frame.name = name;
   });
-  for (model::DescribedLoop& loop : description.loops)
-    for (std::string& frame : loop.frames)
-      if (const auto found = renamed.find(frame); found != renamed.end()) frame = found->second;
+  const auto rename_ends = [&](auto& elements) {
+    for (auto& element : elements)
+      for (std::string& frame : element.frames)
+        if (const auto found = renamed.find(frame); found != renamed.end()) frame = found->second;
+  };
+  rename_ends(description.loops);
+  rename_ends(description.actuators);
 }
 
 }  // namespace robcogen::import

@@ -1,10 +1,10 @@
-#include "import/urdf/linear_relations.h"
+#include "import/linear_relations.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import {
 namespace {
 
 // Eliminates the joint from the relation by adding a multiple of the other relation, in which the joint has factor 1.
@@ -40,4 +40,4 @@ SolvedRelations solve(const std::vector<LinearRelation>& relations, const std::f
   return result;
 }
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import

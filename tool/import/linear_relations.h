@@ -7,7 +7,7 @@
 
 #include "support/number.h"
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import {
 
 // The sum of factor times position over these joints is zero. No factor is zero.
 using LinearRelation = std::map<int, Number>;  // factors by joint
@@ -30,4 +30,4 @@ struct SolvedRelations {
 // turn determines one joint: the last of those that may follow and do not follow yet.
 SolvedRelations solve(const std::vector<LinearRelation>& relations, const std::function<bool(int)>& may_follow);
 
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import
