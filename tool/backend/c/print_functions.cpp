@@ -160,6 +160,7 @@ Function with_all_parameters(Function f, const Library& library) {
     for (const std::string& element : input.elements)
       moved.push_back(begin + static_cast<int>(std::find(all.begin(), all.end(), element) - all.begin()));
     begin += static_cast<int>(all.size());
+    if (input.elements.size() != all.size()) input.quantities.clear();
     input.elements = all;
   }
   const auto move = [&](symbolic::Operand& o) {
