@@ -39,6 +39,7 @@ install(
         cmake/RobcogenArguments.cmake
         cmake/RobcogenC.cmake
         cmake/RobcogenCompatibility.cmake
+        cmake/RobcogenGpu.cmake
         cmake/RobcogenInstall.cmake
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenPython.cmake

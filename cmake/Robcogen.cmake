@@ -56,9 +56,11 @@
 #                                   # the default and builds whose options choose a processor (-march=…, -mavx2, …)
 #       [SINGLE_PRECISION]          # all functions also in float, in the namespace hyl::f32: twice as much to compile
 #       [DOUBLE_ONLY]               # the default: nothing in float
-#       [LANGUAGES cpp c matlab maxima javascript]
+#       [LANGUAGES cpp c gpu matlab maxima javascript]
 #                                   # without it, cpp. Text in the others goes to OUTPUT_DIR/<language>. The C code becomes
-#                                   # the library <TARGET>_c (RobcogenC.cmake); the rest is not compiled
+#                                   # the library <TARGET>_c (RobcogenC.cmake), the text for GPUs <TARGET>_gpu and
+#                                   # <TARGET>_cuda (RobcogenGpu.cmake); the rest is not compiled
+#       [GPU_ARCHITECTURES number…] # of <TARGET>_cuda, as in CUDA_ARCHITECTURES of CMake, which is the default
 #       [PYTHON]                    # also a Python module (RobcogenPython.cmake)
 #       [CASADI]                    # also the library <TARGET>_casadi of external functions of CasADi (RobcogenC.cmake)
 #       [COMPATIBILITY robcogen]    # also the headers of the first RobCoGen, for programs that were written for it, in the
@@ -95,6 +97,7 @@ include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenArguments.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenC.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenCompatibility.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenGpu.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenInstall.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenPython.cmake)
@@ -132,7 +135,7 @@ _robcogen_read_groups()
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
-  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES GRADIENTS TANGENTS FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
+  set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES GRADIENTS TANGENTS FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES GPU_ARCHITECTURES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
 
@@ -147,10 +150,11 @@ function(robcogen_add_robot)
   _robcogen_choose_groups()
   _robcogen_check_derivatives()
   _robcogen_check_functions()
-  _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
+  _robcogen_check_elements(LANGUAGES cpp c gpu matlab maxima javascript)
   _robcogen_check_compatibility()
   _robcogen_check_cpp()
   _robcogen_check_c()
+  _robcogen_check_gpu()
   _robcogen_check_python()
   _robcogen_check_elements(BATCH_LEVELS baseline avx2 avx512)
   if(library_BATCH_LEVELS AND NOT library_BATCH)
@@ -170,6 +174,7 @@ function(robcogen_add_robot)
   _robcogen_check_cpp_compiler()
   _robcogen_choose_c_checks()
   _robcogen_c_files("${library_groups}")
+  _robcogen_gpu_files("${library_groups}")
   _robcogen_python_files()
   if(NOT "cpp" IN_LIST library_LANGUAGES)
     _robcogen_add_text()
@@ -200,6 +205,7 @@ function(robcogen_add_robot)
   _robcogen_add_library(${library_TARGET})
   _robcogen_link_compatibility()
   _robcogen_add_c_library()
+  _robcogen_add_gpu_libraries()
   _robcogen_add_python()
   _robcogen_set_levels(${library_TARGET})
   if(BUILD_TESTING AND NOT library_NO_TESTS)
@@ -212,7 +218,7 @@ function(robcogen_add_robot)
     _robcogen_add_bench(${library_TARGET}_bench)
   endif()
   if(NOT "${library_EXPORT_FILES}" STREQUAL "")
-    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} ${c_casadi} ${python_files} PARENT_SCOPE)
+    set(${library_EXPORT_FILES} ${headers} ${generated_sources} ${c_headers} ${c_sources} ${c_casadi} ${gpu_headers} ${gpu_sources} ${python_files} PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -353,7 +359,7 @@ function(_robcogen_add_codegen target)
     DEPFILE ${depfile}
     COMMENT "Generating ${library_NAME} from ${document}"
     VERBATIM)
-  set(files ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} ${c_checks} ${python_files})
+  set(files ${headers} ${sources} ${c_headers} ${c_sources} ${c_casadi} ${c_checks} ${gpu_headers} ${gpu_sources} ${python_files})
   file(GENERATE OUTPUT ${library_OUTPUT_DIR}/${stem}.expected CONTENT "${files}")
   list(TRANSFORM generate REPLACE "^robcogen::robcogen$" "$<TARGET_FILE:robcogen::robcogen>")
   add_custom_command(
@@ -464,6 +470,7 @@ function(_robcogen_add_text)
   endif()
   add_dependencies(${library_TARGET} ${library_TARGET}_codegen)
   _robcogen_add_c_library()
+  _robcogen_add_gpu_libraries()
 endfunction()
 
 # Sets `result` to the optimisation of generated units: -O2 in each configuration without optimisation, because a kernel

@@ -76,7 +76,7 @@ function(_robcogen_install_library target)
       FILES_MATCHING
       PATTERN "*.h"
       PATTERN "*.inc"
-      REGEX "^${pattern}/(c|python)$" EXCLUDE)
+      REGEX "^${pattern}/(c|gpu|python)$" EXCLUDE)
     return()
   endif()
   get_property(sets TARGET ${target} PROPERTY HEADER_SETS)

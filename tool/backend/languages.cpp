@@ -3,6 +3,7 @@
 #include "backend/c/c.h"
 #include "backend/casadi/casadi.h"
 #include "backend/cpp/cpp.h"
+#include "backend/gpu/gpu.h"
 #include "backend/javascript/javascript.h"
 #include "backend/matlab/matlab.h"
 #include "backend/maxima/maxima.h"
@@ -39,6 +40,9 @@ const std::vector<Language>& languages() {
        .features = {.column_loops = ColumnLoops::if_long},
        .takes_transforms = true,
        .print = maxima::print},
+      {.name = "gpu",
+       .features = {.caches_parameters = true, .column_loops = ColumnLoops::if_long},
+       .print = gpu::print},
       {.name = "python",
        .features = {.caches_parameters = true, .column_loops = ColumnLoops::if_faster},
        .takes_transforms = true,

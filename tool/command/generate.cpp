@@ -11,6 +11,7 @@
 #include "backend/common/names.h"
 #include "backend/compatibility/compatibility.h"
 #include "backend/cpp/cpp.h"
+#include "backend/gpu/gpu.h"
 #include "backend/languages.h"
 #include "backend/selfcheck/selfcheck.h"
 #include "command/output.h"
@@ -275,16 +276,21 @@ void require_languages(const GenerateOptions& options) {
                            fmt::join(h.languages, " or "), fmt::join(options.languages, ", "))};
 }
 
-// Lists the files whose names depend on the options only: those of C++, C and Python.
+// Lists the files whose names depend on the options only: those of C++, C, GPUs and Python.
 Status list_outputs(const GenerateOptions& options) {
   const bool transforms = is_transforms(options);
   for (const backend::Language* language : languages_of(options)) {
     if (language->name == "python")
       for (const char* end : {".cpp", ".pyi"}) print_output("python/{}{}\n", options.names.name, end);
-    if (language->name != "cpp" && language->name != "c") continue;
+    if (language->name != "cpp" && language->name != "c" && language->name != "gpu") continue;
     std::vector<std::string> groups =
         transforms ? std::vector<std::string>{driver::kTransformsGroup} : groups_of(*language, asked_groups(options));
     if (options.model.asks_for_derivatives()) groups.emplace_back(driver::kDerivativesGroup);
+    if (language->name == "gpu") {
+      const std::string prefix = backend::flat(options.names.enclosing, options.names.name);
+      for (const std::string& file : backend::gpu::outputs(prefix, groups)) print_output("gpu/{}\n", file);
+      continue;
+    }
     if (language->name == "c") {
       if (!transforms) groups.insert(groups.begin(), backend::c::kParametersGroup);
       const std::string prefix = backend::flat(options.names.enclosing, options.names.name);

@@ -25,6 +25,14 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl COMPATIBILITY rbdl)
 # robcogen_add_robot(TARGET hyl): COMPATIBILITY is for C++: LANGUAGES must include cpp
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES matlab COMPATIBILITY robcogen)
 
+#### gpu_architecture_of_another_kind
+# robcogen_add_robot(TARGET leg): GPU_ARCHITECTURES: 'sm_90' is not an architecture of CUDA, such as 80, 90-real or native
+robcogen_add_robot(TARGET leg MODEL hyl.kindsl LANGUAGES gpu GPU_ARCHITECTURES 80 sm_90)
+
+#### gpu_architectures_without_gpu
+# robcogen_add_robot(TARGET leg): GPU_ARCHITECTURES needs gpu among LANGUAGES
+robcogen_add_robot(TARGET leg MODEL hyl.kindsl GPU_ARCHITECTURES 90)
+
 #### include_path_above
 # robcogen_add_robot(TARGET hyl): INCLUDE_PATH is a folder as #include lines name it, such as iit/robots/hyq, not '../hyl'
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl COMPATIBILITY robcogen INCLUDE_PATH ../hyl)
@@ -67,7 +75,7 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DESIRED ALGORITHMS)
 
 #### languages_off
-# robcogen_add_robot(TARGET hyl): LANGUAGES: 'OFF' is not one of cpp c matlab maxima javascript
+# robcogen_add_robot(TARGET hyl): LANGUAGES: 'OFF' is not one of cpp c gpu matlab maxima javascript
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES OFF)
 
 #### missing_desired
@@ -193,7 +201,7 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ALGORITHMS jacobians inverse_dyna
 robcogen_add_robot(TARGET hyl MODLE hyl.kindsl)
 
 #### unknown_language
-# robcogen_add_robot(TARGET hyl): LANGUAGES: 'fortran' is not one of cpp c matlab maxima javascript
+# robcogen_add_robot(TARGET hyl): LANGUAGES: 'fortran' is not one of cpp c gpu matlab maxima javascript
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES cpp fortran)
 
 #### robot_keyword

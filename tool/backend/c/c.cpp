@@ -43,8 +43,13 @@ std::vector<std::string> outputs(const std::string& prefix, const std::vector<st
 // With the prefix, no name is reserved. In a clash, the single-precision name gives way, because the double-precision
 // names are older.
 Names names(const Library& library) {
-  const std::string prefix = flat(library.enclosing, library.name), start = prefix + "_";
-  Names result{library, prefix, prefix + "_c", {}};
+  const std::string prefix = flat(library.enclosing, library.name);
+  return names(library, prefix, prefix + "_c");
+}
+
+Names names(const Library& library, const std::string& prefix, const std::string& folder) {
+  const std::string start = prefix + "_";
+  Names result{library, prefix, folder, {}};
   NameScope scope(is_free, words(kOthers));
   for (const std::vector<Function>* list : {&library.functions, &library.updates})
     for (const Function& f : *list)

@@ -1,9 +1,11 @@
 #include <cmath>
+#include <set>
 
 #include "backend/c/printers.h"
 #include "backend/common/c_names.h"
 #include "backend/common/layout.h"
 #include "backend/common/split_kernel.h"
+#include "support/concat.h"
 #include "support/number.h"
 
 namespace robcogen::backend::c {
@@ -19,9 +21,51 @@ Spelling literal(const Number& value, Texts& texts) {
   return backend::literal(number(value.value(), precision), texts);
 }
 
+// Names of OpenCL C and of the header of macros.
+bool is_reserved_by_macros(const std::string& name) {
+  static const std::set<std::string> of_opencl = {
+#include "backend/c/opencl.inc"
+  };
+  return is_reserved(name) || of_opencl.contains(name) || name == "REAL" || name == "RC" || name.starts_with("RC_") ||
+         name.starts_with("rc_") || name.starts_with("robcogen_");
+}
+
+std::string macro_line(const Line& line) {
+  if (line.kind == Line::Kind::sincos)
+    return "RC_SINCOS(" + line.expression + ", " + line.targets[0] + ", " + line.targets[1] + ");";
+  const std::string head = line.kind == Line::Kind::store ? "" : "const REAL ";
+  return head + joined(line.targets, " = ") + " = " + line.expression + ";";
+}
+
+// Long functions stay whole: compilers inline parts, or lose a quarter of the speed at calls.
+Dialect macros() {
+  Dialect d;
+  d.is_reserved = is_reserved_by_macros;
+  d.sine = "RC_SIN";
+  d.cosine = "RC_COS";
+  d.square_root = "RC_SQRT";
+  d.arc_tangent = "RC_ATAN2";
+  d.quotient = "RC_QUOTIENT";
+  d.line_limit = kColumns - d.indentation;
+  d.lengths.longest = static_cast<std::size_t>(-1);
+  d.binds_parameters = true;
+  d.literal = literal<kMacros>;
+  d.element = [](const std::string& array, std::size_t k) {
+    return is_kept(array) ? subscripted(array, k) : "RC_AT(" + array + ", " + std::to_string(k) + ")";
+  };
+  d.text = macro_line;
+  d.section = [](const std::string& text) { return comment(text, 2); };
+  return d;
+}
+
 }  // namespace
 
+bool is_kept(const std::string& array) {
+  return array.starts_with("kept");
+}
+
 Dialect dialect(const Precision& precision, bool reads_cache) {
+  if (precision.is_macro) return macros();
   Dialect d;
   d.is_reserved = is_reserved;
   for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.arc_tangent}) *function += precision.suffix;
@@ -41,6 +85,8 @@ Dialect dialect(const Precision& precision, bool reads_cache) {
 }
 
 std::string number(double value, const Precision& precision) {
+  if (precision.is_macro)
+    return std::isfinite(value) ? "RC(" + print_double(value) + ")" : backend::number(value, "RC_NAN", "RC_INFINITY");
   if (!precision.is_float) return backend::number(value, "(double)NAN", "(double)INFINITY");
   const auto rounded = static_cast<float>(value);
   return std::isfinite(rounded) ? print_float(rounded) + "f" : backend::number(rounded, "(float)NAN", "HUGE_VALF");

@@ -111,13 +111,6 @@ std::vector<Constant> constants(const Names& names) {
   return list;
 }
 
-std::string enumeration(const Names& names) {
-  std::vector<std::string> entries;
-  for (const auto& [name, size] : sizes(names.library))
-    entries.push_back(names.prefix + "_" + name + " = " + std::to_string(size));
-  return entries.empty() ? "" : "\n" + wrapped("enum { ", entries, " };");
-}
-
 std::string caches(const Names& names) {
   if (names.library.updates.empty()) return "";
   const std::string what = "Values that depend on the parameters. Functions read them, and @_update computes them.";
@@ -129,6 +122,13 @@ std::string caches(const Names& names) {
 }
 
 }  // namespace
+
+std::string enumeration(const Names& names) {
+  std::vector<std::string> entries;
+  for (const auto& [name, size] : sizes(names.library))
+    entries.push_back(names.prefix + "_" + name + " = " + std::to_string(size));
+  return entries.empty() ? "" : "\n" + wrapped("enum { ", entries, " };");
+}
 
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body) {
   std::string guard = names.folder + "_" + file;

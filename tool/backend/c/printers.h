@@ -1,4 +1,5 @@
-// C99 as a dialect, the names of a library, and the printers behind `print`, one for each kind of file.
+// C99 and the macros of GPUs as dialects, the names of a library, and the printers behind `print`, one for each kind of
+// file.
 #pragma once
 
 #include <string>
@@ -21,9 +22,12 @@ struct Precision {
   std::string suffix;    // suffix of function names, in <math.h> and in the library
   std::string file_end;  // end of a source file's name
   bool is_float = false;
+  // Text for GPUs: arrays, numbers and functions are macros of <robcogen/gpu/dialect.h>.
+  bool is_macro = false;
 };
 
 inline const Precision kDouble = {"double", "", ".c"}, kFloat = {"float", "f", "_f.c", true};
+inline const Precision kMacros = {"REAL", "", ".h", false, true};
 inline const std::vector<Precision> kPrecisions = {kDouble, kFloat};
 
 // Where functions read a cache, parameters are elements of its array; otherwise they are members of a structure.
@@ -56,6 +60,15 @@ struct Names {
 };
 
 Names names(const Library& library);
+// The same with other names, whose functions begin with `prefix`.
+Names names(const Library& library, const std::string& prefix, const std::string& folder);
+
+// What a function computes, and its arrays, as a comment.
+std::string documentation(const Names& names, const NamedFunction& c, const std::vector<KernelArray>& list);
+// The array as a call passes it on.
+std::string passed(const KernelArray& array, const Precision& precision);
+// Arrays that functions keep to themselves: plain ones in text for GPUs too.
+bool is_kept(const std::string& array);
 
 // A header: its guard around `body`.
 std::string header(const Names& names, const std::string& file, const std::string& what, const std::string& body);
@@ -64,9 +77,14 @@ std::string header(const Names& names, const std::string& file, const std::strin
 std::string identity_reference(const Names& names);
 std::string identity_definition(const Names& names, const std::string& group);
 
+// `enum { hyl_dof = 3, … };`
+std::string enumeration(const Names& names);
+
 std::string print_model_header(const Names& names);
 std::string print_model(const Names& names);
 std::string print_header(const Names& names, const std::string& group);
+// The functions of a group one after the other; in text for GPUs, with their documentation.
+std::string print_bodies(const Names& names, const std::string& group, const Precision& precision);
 std::string print_functions(const Names& names, const std::string& group, const Precision& precision);
 
 }  // namespace robcogen::backend::c

@@ -63,9 +63,10 @@ Spelling expression(Arrangement& arranged, std::size_t i) {
   Spelling result;
   if (s.op == Op::square_root) {
     result = call(arranged.dialect.square_root, spell_checked(arranged, s.a, s.width), arranged.texts);
-  } else if (s.op == Op::arc_tangent) {
-    const Spelling sine = spell_checked(arranged, s.a, s.width), cosine = spell_checked(arranged, s.b, s.width);
-    result = call(arranged.dialect.arc_tangent, sine, cosine, arranged.texts);
+  } else if (s.op == Op::arc_tangent || (s.op == Op::divide && !arranged.dialect.quotient.empty())) {
+    const Dialect& d = arranged.dialect;
+    const Spelling first = spell_checked(arranged, s.a, s.width), second = spell_checked(arranged, s.b, s.width);
+    result = call(s.op == Op::divide ? d.quotient : d.arc_tangent, first, second, arranged.texts);
   } else if (s.op == Op::sum_lanes) {
     result = sum_of_lanes(arranged, i);
   } else if (s.op == Op::gather) {

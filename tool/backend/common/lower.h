@@ -76,6 +76,8 @@ struct Dialect {
   bool pairs_angles = true;
   // The names of the functions in the language.
   std::string sine = "sin", cosine = "cos", square_root = "sqrt", arc_tangent = "atan2";
+  // The name of a function for quotients; empty: the operator.
+  std::string quotient = "";
   // If at least this many elements of one input have sines and cosines, these are computed together; 0: never. The
   // sines and cosines of elements in between are computed too.
   std::size_t angles_together = 0;

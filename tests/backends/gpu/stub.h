@@ -1,0 +1,43 @@
+// Just enough of CUDA and of HIP for clang to compile text for GPUs without either: a check of the text, not a build.
+#pragma once
+
+#define ROBCOGEN_GPU_STUB
+#define __CUDACC_RTC__
+#define __host__ __attribute__((host))
+#define __device__ __attribute__((device))
+#define __global__ __attribute__((global))
+#define __forceinline__ inline __attribute__((always_inline))
+#define __launch_bounds__(threads) __attribute__((launch_bounds(threads)))
+
+struct RobcogenStubIndex {
+  unsigned x;
+};
+#if defined(__HIP__)
+#define blockIdx (RobcogenStubIndex{static_cast<unsigned>(__builtin_amdgcn_workgroup_id_x())})
+#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__builtin_amdgcn_workitem_id_x())})
+#define blockDim (RobcogenStubIndex{128})
+#else
+#define blockIdx (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_x())})
+#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_tid_x())})
+#define blockDim (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_ntid_x())})
+#endif
+
+#define ROBCOGEN_STUB static inline __host__ __device__
+ROBCOGEN_STUB float fmaf(float a, float b, float c) {
+  return __builtin_fmaf(a, b, c);
+}
+ROBCOGEN_STUB double fma(double a, double b, double c) {
+  return __builtin_fma(a, b, c);
+}
+ROBCOGEN_STUB float sqrtf(float x) {
+  return __builtin_sqrtf(x);
+}
+ROBCOGEN_STUB double sqrt(double x) {
+  return __builtin_sqrt(x);
+}
+ROBCOGEN_STUB void* memcpy(void* to, const void* from, __SIZE_TYPE__ count) {
+  return __builtin_memcpy(to, from, count);
+}
+__device__ __host__ float atan2f(float y, float x);
+__device__ __host__ double atan2(double y, double x);
+#undef ROBCOGEN_STUB

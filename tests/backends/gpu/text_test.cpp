@@ -1,0 +1,261 @@
+// The text of a small function, and that compilers for GPUs and for C accept the text of robots.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "../../unit/backend/programs.h"
+#include "robcogen/gpu/dialect.h"
+#include "states.h"
+
+namespace robcogen::test {
+namespace {
+
+using backend::Library;
+using backend::gpu::StatesFunction;
+
+const std::string kIncludes = " -I. -I" ROBCOGEN_RUNTIME_DIR " ";
+
+std::string text_of(const Library& library, const std::string& path) {
+  for (const OutputFile& file : backend::gpu::print(library))
+    if (file.path == path) return file.text;
+  return path + " is missing";
+}
+
+Library library(const std::string& robot, const std::vector<std::string>& groups) {
+  return library_of(kRobots / robot / (robot + ".kindsl"), robot, std::nullopt, {}, groups, kGpuFeatures);
+}
+
+TEST(GpuText, OfASmallFunction) {
+  Library library = leg_library();
+  library.groups = {"leg"};
+  library.functions = {function(
+      "leg", "leg",
+      leg_program("tmp s = sin q[0]\ntmp c = cos q[0]\ntmp a = qd[1] * 0.5\ntmp b = a / s\ntmp r = sqrt c\n"
+                  "let sum = b + r\nreturn tau -sum\n"))};
+  const std::string header = text_of(library, "leg_gpu/leg.h"), kernels = text_of(library, "leg_gpu/leg_kernels.h");
+  EXPECT_EQ(
+      header.substr(header.find("RC_FUNCTION")),
+      R"(RC_FUNCTION(3) leg_gpu_leg(RC_IN(1, q), RC_IN(2, qd), RC_OUT(3, tau)) {
+  RC_SINCOS(RC_AT(q, 0), s_HFE, c_HFE);
+
+  // link hip: velocity
+  RC_AT(tau, 0) = -(RC_QUOTIENT(RC(0.5) * RC_AT(qd, 1), s_HFE) + RC_SQRT(c_HFE));
+}
+
+#endif
+)");
+  EXPECT_EQ(
+      kernels.substr(kernels.find("RC_KERNEL")),
+      R"(RC_KERNEL(3) leg_gpu_kernel_leg(const int rc_n, RC_STATES_IN(1, q), RC_STATES_IN(2, qd), RC_STATES_OUT(3, tau)) {
+  RC_FOR_STATES(rc_n) {
+    RC_STATE_IN(q, 2);
+    RC_STATE_IN(qd, 2);
+    RC_STATE_OUT(tau, 1);
+    RC_CALL(leg_gpu_leg)(RC_PASS(q), RC_PASS(qd), RC_PASS(tau));
+  }
+}
+
+#endif
+)");
+}
+
+// Compared with sines in long double, and with exact quotients.
+TEST(GpuScalars, AreAccurate) {
+  double worst_in_float = 0, worst = 0, worst_quotient_in_float = 0, worst_quotient = 0;
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < 100000; ++k) {
+    const float angle = static_cast<float>(1e4 * unit(engine));
+    const double large = 1e5 * unit(engine);
+    float s, c;
+    double sine, cosine;
+    robcogen::gpu::sincos(angle, s, c);
+    robcogen::gpu::sincos(large, sine, cosine);
+    worst_in_float =
+        std::max({worst_in_float, std::abs(s - std::sin(double(angle))), std::abs(c - std::cos(double(angle)))});
+    using Wide = long double;
+    worst = std::max(
+        {worst, double(std::abs(Wide(sine) - std::sin(Wide(large)))),
+         double(std::abs(Wide(cosine) - std::cos(Wide(large))))});
+    // From an estimate as rough as those of GPUs: one unit in the last place of float, 20 bits for double.
+    const double b = std::exp(20 * unit(engine)), rough = (1 + 0x1p-20 * unit(engine)) / b;
+    const float of_float = static_cast<float>(b), near = (1 + 0x1p-23f * static_cast<float>(unit(engine))) / of_float;
+    worst_quotient =
+        std::max(worst_quotient, std::abs(robcogen_gpu_refined(b, robcogen_gpu_refined(b, rough)) * b - 1));
+    worst_quotient_in_float = std::max(
+        worst_quotient_in_float, std::abs(double(robcogen_gpu_refinedf(of_float, near)) * double(of_float) - 1));
+  }
+  EXPECT_LT(worst_in_float, 1e-7);
+  EXPECT_LT(worst, 3e-16);
+  EXPECT_LT(worst_quotient_in_float, 0x1p-23);
+  EXPECT_LT(worst_quotient, 0x1p-51);
+}
+
+// The examples of the guide compile; the first one lets 4,096 quadrupeds fall for 0.1 s. At rest and without torques,
+// no joint moves, and every step adds to the velocity and then to the position.
+TEST(GpuGuide, ItsExamplesRun) {
+  std::vector<std::string> blocks;
+  const std::string guide = read_text(std::filesystem::path(ROBCOGEN_RUNTIME_DIR) / ".." / "GPU.md"),
+                    fence = "\n```cpp\n";
+  for (std::size_t at = 0; (at = guide.find(fence, at)) != std::string::npos; ++at)
+    blocks.push_back(guide.substr(at + fence.size(), guide.find("\n```\n", at + 1) + 1 - at - fence.size()));
+  ASSERT_EQ(blocks.size(), 2U);
+  const Scratch scratch("gpu-guide");
+  write_gpu(scratch.path, library("quadruped", {"forward_dynamics"}));
+  write_text(scratch.path / "batch.cpp", blocks[1]);
+  EXPECT_EQ(run(scratch.path, "g++ -std=c++17 -Wall -Wextra -Werror -fsyntax-only" + kIncludes + "batch.cpp"), "");
+  write_text(scratch.path / "main.cpp", blocks[0] + R"(
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <vector>
+int main() {
+  constexpr int n = 4096;
+  std::vector<float> states(n * kState), torques(n * 12);
+  const auto at = [&](int i, int k) -> float& { return states[std::size_t(i / 32 * 32 * kState + k * 32 + i % 32)]; };
+  std::mt19937 engine(1);
+  std::normal_distribution<float> normal;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < 12; ++k) at(i, k) = normal(engine);
+    float norm = 0;
+    for (int k = 24; k < 28; ++k) norm = std::hypot(norm, at(i, k) = normal(engine));
+    for (int k = 24; k < 28; ++k) at(i, k) /= norm;
+  }
+  simulate(n, {states.data()}, {torques.data()});
+  float worst = 0;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 12; k < 24; ++k) worst = std::fmax(worst, std::fabs(at(i, k)));
+    worst = std::fmax(worst, std::fabs(at(i, 30) + 9.81f * 1e-6f * 100 * 101 / 2));
+    worst = std::fmax(worst, std::hypot(at(i, 28), at(i, 29)));
+  }
+  if (!(worst < 1e-3f)) std::printf("%g\n", double(worst));
+}
+)");
+  EXPECT_EQ(
+      run(scratch.path, "g++ -std=c++17 -O1 -Wall -Wextra -Werror" + kIncludes + "main.cpp -o main && ./main"), "");
+}
+
+// Joints with names of OpenCL and of the macros.
+TEST(GpuText, AvoidsReservedNames) {
+  Library library = leg_library();
+  library.groups = {"leg"};
+  library.functions = {function(
+      "leg", "leg",
+      leg_program("let global = q[0] + qd[0]\nlet REAL = global * q[1]\nlet float4 = global + REAL\n"
+                  "let RC_AT = float4 * global\nreturn tau RC_AT\n"))};
+  const std::string text = text_of(library, "leg_gpu/leg.h");
+  for (const char* name : {"global_ = ", "REAL_ = ", "float4_ = "})
+    EXPECT_NE(text.find(name), std::string::npos) << text;
+}
+
+// A unit that makes the compiler print code for the first function of each group, over tiles.
+std::string instances(const Library& library, const std::vector<std::string>& scalars) {
+  const std::string prefix = library.name + "_gpu";
+  const backend::gpu::Names names = backend::c::names(library, prefix, prefix);
+  std::string includes, text = "using namespace robcogen::gpu;\n";
+  for (const std::string& group : library.groups) {
+    includes += "#include \"" + prefix + "/" + group + "_kernels.h\"\n";
+    const std::vector<StatesFunction> functions = backend::gpu::states_functions(names, group);
+    if (functions.empty()) continue;
+    for (const std::string& scalar : scalars) {
+      text += "template __global__ void " + prefix + "_kernel_" + functions[0].name + "<" + scalar + ">(int";
+      for (const auto& a : functions[0].arrays)
+        text +=
+            std::string(a.is_often_same ? ", Strides<" : ", Tiles<") + (a.array.output ? "" : "const ") + scalar + ">";
+      text += ");\n";
+    }
+  }
+  return includes + text;
+}
+
+class GpuCompilers : public testing::Test {
+ protected:
+  const Library leg = library("hyl", {"forward_dynamics", "joint_space_inertia_factor"});
+  const Scratch scratch{"gpu-compilers"};
+
+  void SetUp() override {
+    write_gpu(scratch.path, leg);
+    write_text(scratch.path / "all.cu", instances(leg, {"float", "double"}));
+  }
+  // Compiles for a GPU as the options say; returns the messages.
+  std::string compile(const std::string& options) const {
+    return run(
+        scratch.path, CLANG " -std=c++17 -O1 -Wall -Wextra -Werror -Wno-unknown-cuda-version --cuda-device-only " +
+                          options + " -include " TEST_SOURCE_DIR "/stub.h" + kIncludes + "-S all.cu -o all.s");
+  }
+};
+
+TEST_F(GpuCompilers, ClangTakesItAsCuda) {
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
+  EXPECT_EQ(compile("-x cuda --cuda-gpu-arch=sm_80 -nocudainc -nocudalib"), "");
+  const std::string code = read_text(scratch.path / "all.s");
+  EXPECT_NE(code.find(".visible .entry"), std::string::npos);
+  EXPECT_NE(code.find("rcp.approx.ftz.f32"), std::string::npos);
+  EXPECT_NE(code.find("rcp.approx.ftz.f64"), std::string::npos);
+  EXPECT_EQ(code.find("div.rn"), std::string::npos) << "a quotient has a slow path";
+  EXPECT_FALSE(std::regex_search(code, std::regex("\\bcall\\b"))) << "a function was not inlined";
+}
+
+TEST_F(GpuCompilers, ClangTakesItAsHip) {
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
+  EXPECT_EQ(compile("-x hip --offload-arch=gfx90a -nogpuinc -nogpulib"), "");
+  EXPECT_NE(read_text(scratch.path / "all.s").find(".amdhsa_kernel"), std::string::npos);
+}
+
+TEST_F(GpuCompilers, GccTakesItAsC) {
+  write_text(
+      scratch.path / "all.c",
+      "#include \"hyl_gpu/forward_dynamics_kernels.h\"\n#include \"hyl_gpu/joint_space_inertia_factor_kernels.h\"\n"
+      "#include \"hyl_gpu/batch.h\"\n");
+  for (const char* option : {"", "-DROBCOGEN_GPU_DOUBLE ", "-DROBCOGEN_GPU_TILES "})
+    EXPECT_EQ(
+        run(scratch.path, "gcc -std=c99 -pedantic -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only " +
+                              std::string(option) + kIncludes + "all.c"),
+        "");
+}
+
+// The registers and the spilled bytes of kernels, as ptxas counts them, are not worse than in the table.
+TEST(GpuCode, NeedsNoMoreRegistersThanBefore) {
+  if (std::string(NVCC).empty()) GTEST_SKIP() << "nvcc was not found";
+  std::ifstream table(TEST_SOURCE_DIR "/registers.txt");
+  std::string robot, group, scalar, architecture, line;
+  int rows = 0;
+  while (std::getline(table, line)) {
+    int registers = 0, spilled = 0;
+    std::istringstream words(line);
+    if (line.starts_with("#") || !(words >> robot >> group >> scalar >> architecture >> registers >> spilled)) continue;
+    if (std::string when; words >> when && !ROBCOGEN_TEST_EVERYTHING) continue;
+    const Library library = test::library(robot, {group});
+    const Scratch scratch("gpu-nvcc");
+    write_gpu(scratch.path, library);
+    write_text(scratch.path / "all.cu", instances(library, {scalar}));
+    const std::string report =
+        run(scratch.path,
+            NVCC " -std=c++17 -O3 -arch=" + architecture + " -cubin -Xptxas -v" + kIncludes + "all.cu -o all.cubin");
+    std::smatch used, stores;
+    ASSERT_TRUE(std::regex_search(report, used, std::regex("Used ([0-9]+) registers"))) << report;
+    ASSERT_TRUE(std::regex_search(report, stores, std::regex("([0-9]+) bytes spill stores"))) << report;
+    const std::string name = robot + " " + group + " " + scalar + " " + architecture;
+    EXPECT_LE(std::stoi(used[1]), registers + 8) << name;
+    EXPECT_LE(std::stoi(stores[1]), spilled + 64) << name;
+    ++rows;
+  }
+  EXPECT_GT(rows, 0);
+}
+
+// The unit that starts kernels compiles with the headers of CUDA.
+TEST(GpuCode, NvccTakesTheUnitsOfALibrary) {
+  if (std::string(NVCC).empty()) GTEST_SKIP() << "nvcc was not found";
+  const Library leg = library("hyl", {"joint_space_inertia"});
+  const Scratch scratch("gpu-unit");
+  write_gpu(scratch.path, leg);
+  EXPECT_EQ(
+      run(scratch.path, NVCC " -std=c++17 -arch=sm_90 -Werror all-warnings" + kIncludes +
+                            "-c hyl_gpu/joint_space_inertia.cu -o unit.o"),
+      "");
+}
+
+}  // namespace
+}  // namespace robcogen::test

@@ -1,0 +1,81 @@
+#include "backend/gpu/gpu.h"
+
+#include <algorithm>
+
+#include "backend/common/cache.h"
+#include "backend/common/planned_file.h"
+#include "backend/gpu/printers.h"
+#include "support/index.h"
+
+namespace robcogen::backend::gpu {
+namespace {
+
+using File = PlannedFile<Names>;
+
+std::vector<File> files(const std::string& prefix, const std::vector<std::string>& groups) {
+  const std::string folder = prefix + "_gpu", path = folder + "/";
+  std::string includes;
+  for (const std::string& group : groups) includes += "#include \"" + path + group + ".h\"\n";
+  const auto umbrella = [=](const Names& n) { return c::header(n, folder + ".h", "all functions for GPUs", includes); };
+  std::vector<File> list = {
+      {path + folder + ".h", umbrella}, {path + "model.h", print_model}, {path + "batch.h", [=](const Names& n) {
+                                                                            return print_batch(n, groups);
+                                                                          }}};
+  for (const std::string& group : groups) {
+    list.push_back({path + group + ".h", [=](const Names& n) { return print_functions(n, group); }});
+    list.push_back({path + group + "_kernels.h", [=](const Names& n) { return print_kernels(n, group); }});
+    list.push_back({path + group + ".cu", [=](const Names& n) { return print_launches(n, group); }});
+  }
+  return list;
+}
+
+std::vector<std::string> with_parameters(std::vector<std::string> groups) {
+  groups.insert(groups.begin(), c::kParametersGroup);
+  return groups;
+}
+
+std::vector<StatesArray> arrays_of(const Names& names, const c::NamedFunction& f) {
+  const symbolic::Program& program = f.function->program;
+  const std::vector<KernelArray> list = parameters(program, c::dialect(c::kMacros, f.reads_cache));
+  std::vector<StatesArray> result;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    StatesArray& a = result.emplace_back(StatesArray{list[k]});
+    if (k >= program.inputs.size()) {
+      a.size = program.outputs[k - program.inputs.size()].values.size();
+      continue;
+    }
+    const symbolic::InputArray& input = program.inputs[k];
+    a.size = input.role == symbolic::Role::parameters ? at(cache_size(names.library)) : input.elements.size();
+    a.is_often_same = input.role == symbolic::Role::parameters || input.role == symbolic::Role::gravity;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<StatesFunction> states_functions(const Names& names, const std::string& group) {
+  std::vector<StatesFunction> list;
+  const std::size_t start = names.prefix.size() + 1;
+  if (group == c::kParametersGroup) {
+    const std::size_t size = at(cache_size(names.library));
+    if (!names.library.updates.empty())
+      list.push_back(
+          {nullptr, "update", {{{"parameters"}, names.library.parameters().size(), true}, {{"cache", true}, size}}});
+    return list;
+  }
+  for (const c::NamedFunction& f : names.functions)
+    if (f.function->group == group) list.push_back({&f, f.name.substr(start), arrays_of(names, f)});
+  return list;
+}
+
+std::vector<std::string> outputs(const std::string& prefix, const std::vector<std::string>& groups) {
+  return paths(files(prefix, with_parameters(groups)));
+}
+
+std::vector<OutputFile> print(const Library& library) {
+  const std::string prefix = flat(library.enclosing, library.name), folder = prefix + "_gpu";
+  const Names names = c::names(library, folder, folder);
+  return backend::print(files(prefix, with_parameters(library.groups)), names);
+}
+
+}  // namespace robcogen::backend::gpu
