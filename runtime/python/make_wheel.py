@@ -22,7 +22,6 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PROJECT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
-from platform_tag import platform_tag  # noqa: E402
 from robcogen import _tools, _version  # noqa: E402
 
 VERSION = _version.__version__
@@ -84,6 +83,8 @@ def write(files, folder, tag="any", programs=()):
 
 def write_with_generator(installation, licenses, folder):
     """The wheel of a platform: the package is an installation of the whole project."""
+    from platform_tag import platform_tag  # not part of an installation
+
     generator = installation / "bin" / "robcogen"
     tag, libraries = platform_tag(generator)
     if libraries:
