@@ -1,4 +1,4 @@
-# The targets of a release: a Debian package, an archive of the sources, and uninstall.
+# The targets of a release: a Debian package, an archive of the sources, a wheel and its sources, and uninstall.
 set(CPACK_PACKAGE_NAME robcogen)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Generator of kinematics and dynamics of robots in C++, C, Python and other languages")
 
@@ -40,6 +40,29 @@ add_custom_target(
   COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackSourceConfig.cmake -B ${PROJECT_BINARY_DIR}/source
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${PROJECT_BINARY_DIR}/source/_CPack_Packages
   VERBATIM)
+
+# A wheel of the platform, and the sources as pip takes them.
+find_package(Python3 3.11 QUIET COMPONENTS Interpreter)
+if(Python3_Interpreter_FOUND)
+  if(TARGET robcogen)
+    get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+    add_custom_target(
+      robcogen_wheel
+      COMMAND
+        ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCONFIG=$<CONFIG> -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+        -DOUTPUT=${PROJECT_BINARY_DIR}/wheel -DPYTHON=${Python3_EXECUTABLE} -DEIGEN=${eigen}
+        -DLIBRARY_SOURCES=${ROBCOGEN_LIBRARY_SOURCES} -P ${CMAKE_CURRENT_LIST_DIR}/python_wheel.cmake
+      DEPENDS robcogen
+      VERBATIM)
+  endif()
+  add_custom_target(
+    robcogen_sdist
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/runtime/python/make_wheel.py ${PROJECT_BINARY_DIR}/sdist --sources
+            ${PROJECT_BINARY_DIR}/source/robcogen-${PROJECT_VERSION}.tar.gz
+    VERBATIM)
+  add_dependencies(robcogen_sdist robcogen_source)
+endif()
+
 add_custom_target(
   uninstall
   COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake

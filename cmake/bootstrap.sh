@@ -3,6 +3,8 @@
 #
 #     cmake/bootstrap.sh demo              builds some robots and runs programs that use them
 #     cmake/bootstrap.sh install PREFIX    builds the generator and installs it with its CMake package
+#     cmake/bootstrap.sh wheel             makes the Python wheel of this platform, and the source distribution, in build/wheel
+#     cmake/bootstrap.sh sources FOLDER    brings the sources of libraries that wheels link statically, from Debian
 #     cmake/bootstrap.sh test              builds and runs the tests of every change: about 20 minutes
 #     cmake/bootstrap.sh test everything   builds and runs every test, for releases: hours
 #
@@ -15,14 +17,15 @@ prefix=${argument:+$(realpath --canonicalize-missing "$argument")}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
+source_packages=(fmtlib urdfdom urdfdom-headers tinyxml console-bridge)
 test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-kdl-dev libmujoco-dev octave maxima nodejs
   chromium python3-dev python3-numpy groff-base ocl-icd-opencl-dev pocl-opencl-icd)
 more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
-  python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros)
+  python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros python3-venv)
 
 usage() {
-  sed -n '2,10s/^# \{0,1\}//p' cmake/bootstrap.sh
+  sed -n '2,12s/^# \{0,1\}//p' cmake/bootstrap.sh
 }
 
 is_installed() {
@@ -77,6 +80,36 @@ install_project() {
   run cmake --install build/release --prefix "$prefix"
 }
 
+# The sources of libraries, in folders that are called like the library and its version. apt verifies them; the lists of source
+# packages stay in a folder of their own.
+bring_sources() {
+  local folder=$1
+  if ! command -v apt-get >/dev/null; then
+    echo "bootstrap: this system has no apt-get; unpack the sources of these libraries in $folder:" "${source_packages[@]}" >&2
+    return 1
+  fi
+  install_missing dpkg-dev
+  mkdir -p "$folder/lists/partial"
+  . /etc/os-release
+  echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" >"$folder/sources.list"
+  local options=(-o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null
+    -o "Dir::State::Lists=$folder/lists" -o APT::Sandbox::User=)
+  run apt-get "${options[@]}" update
+  (cd "$folder" && run apt-get "${options[@]}" source "${source_packages[@]}")
+  rm -r "$folder/lists" "$folder/sources.list"
+}
+
+# The wheel and the source distribution of a release.
+make_wheel() {
+  install_missing "${build_packages[@]}" python3
+  use_compiler_cache
+  if [[ ! -d build/sources ]]; then
+    bring_sources "$PWD/build/sources"
+  fi
+  run cmake --preset wheel
+  run cmake --build --preset wheel --target robcogen_wheel robcogen_sdist
+}
+
 # Builds a preset and runs its tests; prints the summary of the run and keeps it in the build folder. Fails if a test does.
 run_tests() {
   local preset=$1
@@ -108,11 +141,16 @@ summary() {
 case "$command${argument:+ ARGUMENT}" in
   demo) demo ;;
   "install ARGUMENT") install_project ;;
+  wheel) make_wheel ;;
+  "sources ARGUMENT") bring_sources "$prefix" ;;
   test) run_tests test "${test_packages[@]}" ;;
   "test ARGUMENT")
     if [[ $argument != everything ]]; then
       usage >&2
       exit 2
+    fi
+    if command -v apt-get >/dev/null && [[ ! -d build/sources ]]; then
+      bring_sources "$PWD/build/sources"
     fi
     run_tests everything "${test_packages[@]}" "${more_test_packages[@]}"
     ;;

@@ -179,6 +179,11 @@ class Package(unittest.TestCase):
             refused = subprocess.run(
                 [sys.executable, "-m", "robcogen", "hyl.kindsl", "--name", name], cwd=out, capture_output=True, text=True, check=False)
             self.assertEqual((refused.stderr, refused.returncode), (f"'{name}' is {what}: name the module with --name\n", 1))
+        refused = subprocess.run(
+            [sys.executable, "-m", "robcogen", "--cmake-dir"], cwd=out, capture_output=True, text=True, check=False)
+        self.assertEqual(
+            (refused.stderr, refused.returncode),
+            ("this package has no CMake package: only wheels with the generator, and installations, have one\n", 1))
         run = subprocess.run(
             [sys.executable, "-c", "import hyl; print(hyl.joint_names)"], cwd=out, capture_output=True, text=True, check=False)
         self.assertEqual(run.stdout, "('SLIDE', 'HFE', 'KFE')\n", run.stderr)

@@ -4,6 +4,10 @@
 #include <cstdlib>
 #include <new>
 
+#ifdef _WIN32
+#include <malloc.h>
+#endif
+
 namespace {
 
 thread_local const char* forbidden_in = nullptr;
@@ -22,10 +26,23 @@ void* allocated(void* memory) noexcept {
   return memory;
 }
 
+// Windows has functions of its own, whose memory std::free does not release.
+#ifdef _WIN32
+void* aligned(std::size_t size, std::align_val_t alignment) noexcept {
+  return allocated(_aligned_malloc(size, static_cast<std::size_t>(alignment)));
+}
+void free_aligned(void* memory) noexcept {
+  _aligned_free(memory);
+}
+#else
 void* aligned(std::size_t size, std::align_val_t alignment) noexcept {
   const std::size_t to = static_cast<std::size_t>(alignment);
   return allocated(std::aligned_alloc(to, (size + to - 1) / to * to));
 }
+void free_aligned(void* memory) noexcept {
+  std::free(memory);
+}
+#endif
 
 }  // namespace
 
@@ -82,16 +99,17 @@ void operator delete[](void* memory, std::size_t) noexcept {
   operator delete(memory);
 }
 void operator delete(void* memory, std::align_val_t) noexcept {
-  operator delete(memory);
+  if (memory != nullptr) refuse("operator delete");
+  free_aligned(memory);
 }
-void operator delete[](void* memory, std::align_val_t) noexcept {
-  operator delete(memory);
+void operator delete[](void* memory, std::align_val_t alignment) noexcept {
+  operator delete(memory, alignment);
 }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  operator delete(memory);
+void operator delete(void* memory, std::size_t, std::align_val_t alignment) noexcept {
+  operator delete(memory, alignment);
 }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-  operator delete(memory);
+void operator delete[](void* memory, std::size_t, std::align_val_t alignment) noexcept {
+  operator delete(memory, alignment);
 }
 void operator delete(void* memory, const std::nothrow_t&) noexcept {
   operator delete(memory);
@@ -99,11 +117,11 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept {
 void operator delete[](void* memory, const std::nothrow_t&) noexcept {
   operator delete(memory);
 }
-void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept {
-  operator delete(memory);
+void operator delete(void* memory, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  operator delete(memory, alignment);
 }
-void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept {
-  operator delete(memory);
+void operator delete[](void* memory, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  operator delete(memory, alignment);
 }
 
 #ifdef ROBCOGEN_WRAPS_MALLOC

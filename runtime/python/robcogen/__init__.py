@@ -1,8 +1,8 @@
 """Robots as Python modules, without a build system: load("arm.urdf") generates the code of a robot, compiles it once and
 imports it.
 
-It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same installation, or on the PATH), a C++
-compiler (CXX, which may have arguments, or c++, g++, clang++) and the headers of Python. Progress, and warnings and notes
+It needs the generator (the program robcogen: named by ROBCOGEN_TOOL, of the same wheel or installation, or on the PATH), a
+C++ compiler (CXX, which may have arguments, or c++, g++, clang++) and the headers of Python. Progress, and warnings and notes
 of the generator, go to stderr. Modules stay in a cache: ROBCOGEN_CACHE, or robcogen in the user's cache folder.
 """
 import os

@@ -5,7 +5,18 @@ import shutil
 import sys
 from pathlib import Path
 
-from . import Error, _build, build
+from . import Error, _build, _tools, build
+
+
+class _CMakeFolder(argparse.Action):
+    """Prints the folder and ends the program, without a model."""
+
+    def __call__(self, parser, *_):
+        try:
+            print(_tools.cmake_folder())
+        except Error as error:
+            parser.exit(1, f"{error}\n")
+        parser.exit()
 
 
 def main():
@@ -19,6 +30,8 @@ def main():
     parser.add_argument("--quiet", action="store_true", help="no progress and no notes")
     parser.add_argument("--algorithms", nargs="+", default=(), help="groups of functions, or all")
     parser.add_argument("--derivatives", nargs="+", default=(), help="functions to differentiate: function:input…")
+    parser.add_argument(
+        "--cmake-dir", nargs=0, action=_CMakeFolder, help="print the folder of the CMake package, for -Drobcogen_DIR=…, and exit")
     parser.epilog = (
         "Other options are passed on to `robcogen generate`.\n\nExample:\n"
         "  python3 -m robcogen arm.urdf -o modules --algorithms inverse_dynamics jacobians")

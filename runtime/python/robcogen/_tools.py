@@ -12,7 +12,7 @@ class Error(Exception):
 
 
 def generator():
-    """The command of the generator: that of ROBCOGEN_TOOL, of the same installation, or on the PATH."""
+    """The command of the generator: that of ROBCOGEN_TOOL, of the same wheel or installation, or on the PATH."""
     return program("the program robcogen", "ROBCOGEN_TOOL", [*own_generator(), "robcogen"], "install it")
 
 
@@ -22,17 +22,34 @@ def compiler():
 
 def runtime():
     """The headers that generated code includes: of a wheel, of an installation, of the sources."""
+    for folder in _around_package(0, 3, 4, 2):
+        if (folder / "include" / "robcogen" / "python" / "make_module.h").is_file():
+            return folder / "include"
+    raise Error(f"cannot find the headers of robcogen near {Path(__file__).resolve().parent}")
+
+
+def _around_package(*levels):
+    """The folder of the package, and folders that many levels above, as far as there are so many."""
     here = Path(__file__).resolve().parent
-    for folder in (here / "include", here.parents[2] / "include", here.parents[3] / "include", here.parents[1] / "include"):
-        if (folder / "robcogen" / "python" / "make_module.h").is_file():
+    folders = [here, *here.parents]
+    return [folders[k] for k in levels if k < len(folders)]
+
+
+def cmake_folder():
+    """The folder of the CMake package: of a wheel with the generator, or of the installation that this package is part of."""
+    for prefix in _around_package(0, 4):
+        folder = prefix / "lib" / "cmake" / "robcogen"
+        if folder.is_dir():
             return folder
-    raise Error(f"cannot find the headers of robcogen near {here}")
+    raise Error("this package has no CMake package: only wheels with the generator, and installations, have one")
 
 
 def own_generator():
-    """The generator of the installation that this package is part of, <prefix>/share/robcogen/python, or from which it was
-    installed with pip."""
-    folder = Path(__file__).resolve().parents[1]
+    """The generator in the package, if it is from a wheel of a platform; that of the installation that this package is part of,
+    <prefix>/share/robcogen/python, or from which it was installed with pip."""
+    package, folder = _around_package(0, 1)
+    if (package / "bin" / "robcogen").is_file():
+        return [str(package / "bin" / "robcogen")]
     if folder.parts[-3:] == ("share", "robcogen", "python"):
         return [str(folder.parents[2] / "bin" / "robcogen")]
     try:
