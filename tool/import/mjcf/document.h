@@ -15,10 +15,7 @@
 
 namespace robcogen::import::from_mjcf {
 
-struct Name {
-  std::string text;  // empty if there is none
-  Place place;
-};
+using xml::Name;
 
 // A named point of a body: a user frame of the model.
 struct Site {
