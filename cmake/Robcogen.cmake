@@ -1,14 +1,14 @@
-# robcogen_add_robot: makes a static library from a robot document, a URDF or an MJCF model.
+# robcogen_add_robot: makes a static library from a robot document, a URDF, an SDF or an MJCF model.
 #
 #     robcogen_add_robot(
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
-#       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .xml (a URDF or MJCF) or .urdf.xacro, relative to the calling
+#       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .sdf, .xml (URDF or MJCF) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
-#       [IMPORT_DIRS folder…]       # folders to search for documents that MODEL imports, after its own folder
+#       [IMPORT_DIRS folder…]       # folders to search for documents that MODEL imports, and models that an SDF includes
 #       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
-#       [SNAP_ANGLES]               # URDF: angles within 1e-6 of a multiple of PI/12 become that multiple
+#       [SNAP_ANGLES]               # URDF, SDF: angles within 1e-6 of a multiple of PI/12 become that multiple
 #       [PASSIVE_FORCES]            # URDF: damping and friction of joints are part of the dynamics
 #       [LOCK joint = position…]    # joints that do not move, by name or pattern, which are removed from the robot; parameters
 #                                   # with a constant value
@@ -16,7 +16,7 @@
 #       [PARAMETERS element.quantity…]
 #                                   # quantities that become parameters, such as tool0.inertia, *.mass, joint2.rotor; their
 #                                   # values in the document are the defaults
-#       [ROBOT body]                # MJCF: the robot among several in MODEL, by the name of its first body
+#       [ROBOT name]                # the robot among several in MODEL: in MJCF its first body, in SDF its model
 #       [FRICTION_VELOCITY number]  # URDF, with PASSIVE_FORCES: friction is smooth, friction qd / sqrt(qd^2 + number^2)
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it and FRAMES, those of the frames at
 #                                   # which limbs end
@@ -225,9 +225,9 @@ endfunction()
 # Checks the file type of MODEL, and keywords that need a certain type.
 function(_robcogen_check_robot)
   cmake_path(GET library_MODEL EXTENSION LAST_ONLY extension)
-  if(NOT extension MATCHES "^\\.(kindsl|urdf|xml|xacro)$")
+  if(NOT extension MATCHES "^\\.(kindsl|urdf|sdf|world|xml|xacro)$")
     _robcogen_refuse(
-      "MODEL must be a .kindsl document, a .urdf, an .xml (URDF or MJCF) or a .urdf.xacro, not '${extension}': ${library_MODEL}")
+      "MODEL must be a .kindsl document, a .urdf, an .sdf, an .xml (URDF or MJCF) or a .urdf.xacro, not '${extension}': ${library_MODEL}")
   endif()
   if(NOT "${library_XACRO_ARGS}" STREQUAL "" AND NOT extension STREQUAL ".xacro")
     _robcogen_refuse("XACRO_ARGS is for a MODEL that xacro expands, with the extension .urdf.xacro or .xacro: ${library_MODEL}")
@@ -245,8 +245,8 @@ function(_robcogen_check_robot)
       _robcogen_refuse("${keyword} is for URDF; a robot document states this itself: ${library_MODEL}")
     endif()
   endforeach()
-  if(library_ROBOT AND NOT extension STREQUAL ".xml")
-    _robcogen_refuse("ROBOT is for MJCF, whose scenes have several robots: ${library_MODEL}")
+  if(library_ROBOT AND NOT extension MATCHES "^\\.(xml|sdf|world)$")
+    _robcogen_refuse("ROBOT is for MJCF and SDF, whose scenes have several robots: ${library_MODEL}")
   endif()
 endfunction()
 

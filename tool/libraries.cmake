@@ -6,7 +6,7 @@
 # `cmake/bootstrap.sh sources FOLDER` makes such a folder.
 #
 # Sets urdf_is_read, and urdf_includes and urdf_libraries if it is on.
-set(ROBCOGEN_URDF AUTO CACHE STRING "Read URDFs and MJCF, with urdfdom: ON, OFF, or AUTO (where it is installed)")
+set(ROBCOGEN_URDF AUTO CACHE STRING "Read URDFs, MJCF and SDF, with urdfdom: ON, OFF, or AUTO (where it is installed)")
 set_property(CACHE ROBCOGEN_URDF PROPERTY STRINGS AUTO ON OFF)
 set(ROBCOGEN_LIBRARY_SOURCES "" CACHE PATH "Folder of the sources of fmt, urdfdom, TinyXML and console_bridge, to link these statically")
 option(ROBCOGEN_STATIC "Link the generator with static libraries only, that of C included" OFF)
@@ -52,7 +52,7 @@ if(NOT ROBCOGEN_LIBRARY_SOURCES)
       message(FATAL_ERROR "ROBCOGEN_URDF is ${ROBCOGEN_URDF}, but urdfdom or TinyXML is missing "
                           "(Debian: liburdfdom-dev, libtinyxml-dev)")
     else()
-      message(STATUS "URDFs and MJCF will not be read: urdfdom or TinyXML is missing (Debian: liburdfdom-dev, libtinyxml-dev)")
+      message(STATUS "URDFs, MJCF and SDF will not be read: urdfdom or TinyXML is missing (Debian: liburdfdom-dev, libtinyxml-dev)")
     endif()
   endif()
   return()

@@ -12,13 +12,6 @@ path folder() {
   return path(TEST_SOURCE_DIR) / "mjcf_bad";
 }
 
-// Returns the messages with the names of included files relative to the folder.
-std::string without_folder(std::string text) {
-  const std::string prefix = folder().lexically_normal().string() + "/";
-  for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
-  return text;
-}
-
 class MjcfMessages : public testing::TestWithParam<path> {};
 
 TEST_P(MjcfMessages, AreAsExpected) {
@@ -32,7 +25,7 @@ TEST_P(MjcfMessages, AreAsExpected) {
   const auto robot = import::mjcf(test::source_of_golden(file), file, options, diagnostics);
   EXPECT_EQ(robot.has_value(), !diagnostics.has_errors());
 
-  test::expect_messages(without_folder(diagnostics.render({.folds_notes = false})), file);
+  test::expect_messages(test::without_folder(diagnostics.render({.folds_notes = false}), folder()), file);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::files(folder(), {".xml"})), test::test_name);

@@ -31,4 +31,11 @@ inline model::KinematicTree tree_of(const std::string& text, const import::UrdfO
   return result.tree.value_or(model::KinematicTree());
 }
 
+// Returns the messages with the names of files relative to the folder.
+inline std::string without_folder(std::string text, const std::filesystem::path& folder) {
+  const std::string prefix = folder.lexically_normal().string() + "/";
+  for (std::size_t at; (at = text.find(prefix)) != std::string::npos;) text.erase(at, prefix.size());
+  return text;
+}
+
 }  // namespace robcogen::test

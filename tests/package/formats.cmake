@@ -45,10 +45,10 @@ foreach(earlier_and_later "link upper;link hand" "id = 1;id = 2" "r_joint should
 endforeach()
 
 # An unknown format gives one message, whatever the name of the file.
-file(WRITE ${work_dir}/arm.sdf "<sdf version='1.6'><model name='arm'/></sdf>")
+file(WRITE ${work_dir}/arm.dae "<COLLADA/>")
 file(WRITE ${work_dir}/arm.motdsl "${urdf}")
 file(WRITE ${work_dir}/arm.json "{ \"robot\": \"arm\" }")
-foreach(name arm.sdf arm.motdsl arm.json)
+foreach(name arm.dae arm.motdsl arm.json)
   run_failing(output ${TOOL} check ${work_dir}/${name})
   string(REGEX MATCHALL "error: " errors "${output}")
   expect_equal("${name}: errors" "${errors}" "error: ")
@@ -86,6 +86,39 @@ foreach(model crane.xml crane_again.kindsl)
   string(REGEX REPLACE "\"model\": [^\n]*" "" ${model}_ops "${output}")
 endforeach()
 expect_equal("operations after convert" "${crane_again.kindsl_ops}" "${crane.xml_ops}")
+
+# An SDF under any name: the model that it includes is read and listed, and the converted robot document gives the same
+# operations.
+set(arm_of_sdf "<inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>")
+file(WRITE ${work_dir}/hand/model.sdf
+     "<sdf version='1.9'><model name='hand'><link name='palm'>${arm_of_sdf}</link></model></sdf>")
+foreach(name holder.sdf holder.world holder holder.kindsl)
+  file(WRITE ${work_dir}/${name}
+       "<sdf version='1.9'><model name='holder'><link name='base'>${arm_of_sdf}</link>
+<include><uri>model://hand</uri><pose>0 0 1 0 0 0</pose></include>
+<joint name='fix' type='fixed'><parent>world</parent><child>base</child></joint>
+<joint name='wrist' type='revolute'><parent>base</parent><child>hand::palm</child></joint></model></sdf>")
+  run(output ${TOOL} check ${work_dir}/${name})
+  expect_words("${name}: messages" "${output}" "link 'hand::palm' becomes 'hand__palm' [names-changed]")
+endforeach()
+run(output ${TOOL} generate ${work_dir}/holder.sdf -o ${work_dir}/holder_of_sdf --name holder --depfile
+    ${work_dir}/holder.d --stamp ${work_dir}/holder.stamp)
+file(READ ${work_dir}/holder.d dependencies)
+expect_words("dependencies" "${dependencies}" "hand/model.sdf")
+run(output ${TOOL} convert ${work_dir}/holder.sdf ${work_dir}/holder_again.kindsl)
+foreach(model holder.sdf holder_again.kindsl)
+  execute_process(
+    COMMAND ${TOOL} ops --json ${work_dir}/${model}
+    OUTPUT_VARIABLE output
+    ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "\"model\": [^\n]*" "" ${model}_ops "${output}")
+endforeach()
+expect_equal("operations after convert" "${holder_again.kindsl_ops}" "${holder.sdf_ops}")
+run_failing(output ${TOOL} convert ${work_dir}/crane.xml ${work_dir}/crane.sdf)
+expect_words("convert to SDF" "${output}" "the languages are .kindsl, .urdf, .motdsl and .ctdsl")
+run_failing(output ${TOOL} check --passive-forces ${work_dir}/holder.sdf)
+expect_words("options of URDF with SDF" "${output}" "states these properties itself")
+run(output ${TOOL} check --snap-angles --free-mimic-joints --robot holder ${work_dir}/holder.sdf)
 run_failing(output ${TOOL} ops --floating-base ${work_dir}/crane.xml)
 expect_words("options of URDF" "${output}" "states these properties itself")
 run_failing(output ${TOOL} print ${work_dir}/crane.xml)

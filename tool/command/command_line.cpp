@@ -135,7 +135,8 @@ void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::p
   subcommand
       .add_option(
           "-I,--import-folder", folders,
-          "Folder to search for imported documents, after the folder of the importing document")
+          "Folder to search for imported documents, after the folder of the importing document, and for models that an SDF "
+          "includes")
       ->allow_extra_args(false);
 }
 
@@ -143,10 +144,10 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
   import::UrdfOptions& options = format.urdf;
   subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
   subcommand.add_flag(
-      "--snap-angles", options.snap_angles, "URDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
+      "--snap-angles", options.snap_angles, "URDF, SDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
       "--free-mimic-joints", options.free_mimic_joints,
-      "URDF, MJCF: coupled joints are read as independent joints; loops of MJCF are left open");
+      "URDF, MJCF, SDF: coupled joints are read as independent joints; loops of MJCF are left open");
   subcommand.add_flag(
       "--passive-forces", options.passive_forces, "URDF: damping and friction of joints are part of the dynamics");
   subcommand
@@ -158,7 +159,8 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
       ->type_name("VELOCITY");
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
-  subcommand.add_option("--robot", format.robot, "MJCF: the first body of the robot, if the model has several robots");
+  subcommand.add_option("--robot", format.robot,
+      "The robot, if the file has several. MJCF: its first body; SDF: its model");
   subcommand
       .add_option(
           "--lock", format.changes.locks,
@@ -207,7 +209,7 @@ std::vector<std::string> chosen_steps(const std::vector<std::string>& words) {
 
 CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   CLI::Option* file = subcommand.add_option(
-      "model", model.file, "Robot (.kindsl, .urdf or MJCF), motions (.motdsl) or transforms (.ctdsl)");
+      "model", model.file, "Robot (.kindsl, .urdf, .sdf or MJCF), motions (.motdsl) or transforms (.ctdsl)");
   file->required();
   subcommand.add_option("--desired", model.desired, "Desired transforms and Jacobians (.dtdsl)");
   subcommand
@@ -345,7 +347,7 @@ Action declare_generate(CLI::App& application) {
 Action declare_check(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("check", "Reads documents and reports what is wrong with them");
   auto options = std::make_shared<CheckOptions>();
-  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, MJCF, .motdsl, .ctdsl, .dtdsl)")
+  subcommand->add_option("files", options->files, "Documents (.kindsl, .urdf, .sdf, MJCF, .motdsl, .ctdsl, .dtdsl)")
       ->required();
   subcommand->add_flag("--strict", options->strict, kStrictHelp);
   subcommand->add_flag(
@@ -411,7 +413,7 @@ Action declare_eval(CLI::App& application) {
 Action declare_convert(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("convert", "Writes a model in another language");
   auto options = std::make_shared<ConvertOptions>();
-  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf, MJCF) or motions (.motdsl)")->required();
+  subcommand->add_option("from", options->from, "Robot (.kindsl, .urdf, .sdf, MJCF) or motions (.motdsl)")->required();
   subcommand
       ->add_option(
           "to", options->to,

@@ -27,7 +27,7 @@ using driver::Robot;
 
 Language language_to_write(const fs::path& file) {
   const std::optional<Language> language = driver::language_of_suffix(file);
-  if (language && language != Language::desired) return *language;
+  if (language && language != Language::desired && language != Language::sdf) return *language;
   throw Failure{
       wrong_usage,
       fmt::format(

@@ -63,13 +63,17 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
   const bool for_urdf = urdf.floating_base || urdf.snap_angles || urdf.passive_forces || urdf.allow_implausible;
   if (!for_urdf && !urdf.free_mimic_joints && options.robot.empty()) return;
   const driver::Language language = driver::language_of(model);
-  if (!options.robot.empty() && language != driver::Language::mjcf)
+  const bool may_have_several = language == driver::Language::mjcf || language == driver::Language::sdf;
+  if (!options.robot.empty() && !may_have_several)
     throw Failure{
-        wrong_usage,
-        fmt::format("robcogen: error: --robot is for MJCF, whose scenes have several; '{}' has one", model.string())};
+        wrong_usage, fmt::format(
+                         "robcogen: error: --robot is for MJCF and SDF, whose scenes have several; '{}' has one",
+                         model.string())};
   if (!for_urdf && !urdf.free_mimic_joints) return;
   if (language == driver::Language::urdf) return;
   if (language == driver::Language::mjcf && !for_urdf) return;
+  const bool for_urdf_alone = urdf.floating_base || urdf.passive_forces || urdf.allow_implausible;
+  if (language == driver::Language::sdf && !for_urdf_alone) return;
   throw Failure{
       wrong_usage, fmt::format(
                        "robcogen: error: --floating-base, --snap-angles, --free-mimic-joints, --passive-forces, "

@@ -60,7 +60,7 @@ Status print_reduced(const PrintOptions& options) {
 Status print_document(const PrintOptions& options) {
   const std::filesystem::path file = options.model.file;
   const driver::Language language = driver::language_of(file);
-  if (language == driver::Language::urdf || language == driver::Language::mjcf)
+  if (language != driver::Language::robot && driver::is_robot(language))
     throw Failure{
         wrong_usage, fmt::format(
                          "robcogen: error: '{}' is not a robcogen document\nhint: 'robcogen convert' turns it into one",

@@ -16,8 +16,8 @@ namespace robcogen::driver {
 namespace {
 
 constexpr std::array kSuffixes = {
-    std::pair(".kindsl", Language::robot), std::pair(".urdf", Language::urdf), std::pair(".motdsl", Language::motions),
-    std::pair(".ctdsl", Language::transforms), std::pair(".dtdsl", Language::desired)};
+    std::pair(".kindsl", Language::robot),  std::pair(".urdf", Language::urdf),        std::pair(".sdf", Language::sdf),
+    std::pair(".motdsl", Language::motions), std::pair(".ctdsl", Language::transforms), std::pair(".dtdsl", Language::desired)};
 
 // Throws a Failure for binary files and for UTF-16, in which every second byte would be an error of its own.
 void require_text(const Source& source) {
@@ -51,6 +51,7 @@ Language language_of(const std::filesystem::path& file, const Source& source) {
   if (language && !is_robot(*language)) return *language;
   const language::Content content = language::content_of(source.text());
   if (content == language::Content::mjcf) return Language::mjcf;
+  if (content == language::Content::sdf) return Language::sdf;
   return content == language::Content::urdf ? Language::urdf : language.value_or(Language::robot);
 }
 

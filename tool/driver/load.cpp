@@ -20,6 +20,7 @@
 #include "import/kinematics.h"
 #include "import/mjcf.h"
 #include "import/names.h"
+#include "import/sdf.h"
 #include "model/plausibility.h"
 
 namespace robcogen::driver {
@@ -89,6 +90,16 @@ std::optional<Model> load_tree(
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read =
         import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot, changes}, diagnostics);
+    if (!read) return std::nullopt;
+    Model model = foreign_model(std::move(read->tree), options);
+    model.read = std::move(read->included);
+    return model;
+  }
+  if (language == Language::sdf) {
+    std::optional<import::Sdf> read = import::sdf(
+        source, file,
+        {options.urdf.snap_angles, options.urdf.free_mimic_joints, options.robot, options.import_folders, changes},
+        diagnostics);
     if (!read) return std::nullopt;
     Model model = foreign_model(std::move(read->tree), options);
     model.read = std::move(read->included);

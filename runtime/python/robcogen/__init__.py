@@ -26,7 +26,7 @@ def load(
         snap_angles: bool = False, passive_forces: bool = False, free_mimic_joints: bool = False,
         allow_implausible: bool = False, strict: bool = False, effort: int | None = None,
         import_folders: _File | Iterable[_File] = (), options: _Words = (), quiet: bool = False) -> Any:
-    """Returns the module of a robot (.kindsl, .urdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl).
+    """Returns the module of a robot (.kindsl, .urdf, .sdf or MJCF), of motions (.motdsl) or of transforms (.ctdsl).
 
     The arguments are those of build(). Loading the same model with the same options again returns the same module. Its
     name, _robcogen.<key>.<name>, is unique: it replaces no other module, and nothing replaces it.
@@ -53,7 +53,7 @@ def build(
     (vector-Jacobian and Jacobian-vector products). contacts: frames in contact, such as "foot" or "sole:surface". A
     single string is one element.
 
-    Of a URDF or MJCF: floating_base: the root link floats. snap_angles: angles near multiples of PI/12 become these.
+    Of a URDF, SDF or MJCF: floating_base: the root link floats. snap_angles: angles near multiples of PI/12 become these.
     passive_forces: damping and friction are part of the dynamics. free_mimic_joints: coupled joints are independent.
     allow_implausible: negative masses are warnings. strict: warnings about names and angles are errors. effort: of the search
     for cheap formulations. import_folders: for documents that others import. options: further options of

@@ -23,7 +23,7 @@ def main():
     parser = argparse.ArgumentParser(
         prog="python3 -m robcogen", description="Builds the Python module of a robot.",
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("model", help="a robot: .kindsl, .urdf or MJCF")
+    parser.add_argument("model", help="a robot: .kindsl, .urdf, .sdf or MJCF")
     parser.add_argument("-o", "--output", default=".", help="folder of the module and its stub; default: this one")
     parser.add_argument("--name", help="name of the module; default: that of the file")
     parser.add_argument("--desired", help="list of transforms (.dtdsl)")

@@ -139,9 +139,9 @@ robcogen_add_robot(TARGET hyl)
 robcogen_add_robot(MODEL hyl.kindsl)
 
 #### other_model
-# robcogen_add_robot(TARGET hyl): MODEL must be a .kindsl document, a .urdf, an .xml (URDF or MJCF) or a .urdf.xacro, not '.sdf': @DIR@/hyl.sdf
-file(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/hyl.sdf "")
-robcogen_add_robot(TARGET hyl MODEL hyl.sdf)
+# robcogen_add_robot(TARGET hyl): MODEL must be a .kindsl document, a .urdf, an .sdf, an .xml (URDF or MJCF) or a .urdf.xacro, not '.yaml': @DIR@/hyl.yaml
+file(WRITE ${CMAKE_CURRENT_SOURCE_DIR}/hyl.yaml "")
+robcogen_add_robot(TARGET hyl MODEL hyl.yaml)
 
 #### positional
 # robcogen_add_robot(): unknown argument 'hyl'; the keywords are
@@ -205,7 +205,7 @@ robcogen_add_robot(TARGET hyl MODLE hyl.kindsl)
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES cpp fortran)
 
 #### robot_keyword
-# robcogen_add_robot(TARGET hyl): ROBOT is for MJCF, whose scenes have several robots: @DIR@/hyl.kindsl
+# robcogen_add_robot(TARGET hyl): ROBOT is for MJCF and SDF, whose scenes have several robots: @DIR@/hyl.kindsl
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ROBOT base)
 
 #### urdf_keyword

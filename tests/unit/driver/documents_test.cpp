@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 TEST(Documents, HaveTheLanguageOfTheirSuffix) {
   EXPECT_EQ(language_of_suffix("a/arm.kindsl"), Language::robot);
   EXPECT_EQ(language_of_suffix("arm.urdf"), Language::urdf);
+  EXPECT_EQ(language_of_suffix("arm.sdf"), Language::sdf);
   EXPECT_EQ(language_of_suffix("arm.motdsl"), Language::motions);
   EXPECT_EQ(language_of_suffix("arm.ctdsl"), Language::transforms);
   EXPECT_EQ(language_of_suffix("arm.dtdsl"), Language::desired);
@@ -26,13 +27,16 @@ TEST(Documents, OfOtherSuffixesAreJudgedByTheirContent) {
   EXPECT_EQ(language_of(folder.file("robot", test::kRods)), Language::robot);
   for (const char* name : {"model.xml", "model.urdf", "model.kindsl", "model"})
     EXPECT_EQ(language_of(folder.file(name, "<?xml version='1.0'?>\n<mujoco model='m'/>")), Language::mjcf) << name;
+  for (const char* name : {"model.sdf", "arm.world", "model.kindsl", "model"})
+    EXPECT_EQ(language_of(folder.file(name, "<?xml version='1.0'?>\n<sdf version='1.9'/>")), Language::sdf) << name;
   EXPECT_EQ(language_of(folder.file("robot.kindsl", test::kRodsUrdf)), Language::urdf);  // a wrong extension
   EXPECT_EQ(language_of(folder.file("frames.motdsl", test::kRodsUrdf)), Language::motions);
   EXPECT_EQ(language_of("no_such_file"), Language::robot);
 }
 
-TEST(Documents, RobotsComeInThreeLanguages) {
-  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf) && is_robot(Language::mjcf));
+TEST(Documents, RobotsComeInFourLanguages) {
+  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf) && is_robot(Language::mjcf) &&
+      is_robot(Language::sdf));
   EXPECT_FALSE(is_robot(Language::motions) || is_robot(Language::transforms) || is_robot(Language::desired));
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "import/mjcf/defaults.h"
 #include "import/mjcf/elements.h"
+#include "import/xml/findings.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -31,23 +31,10 @@ class NameChecker {
     }
   }
 
-  void report(Diagnostics& diagnostics) const {
-    for (const Finding& finding : findings_) {
-      const std::string times = finding.count == 1 ? "" : fmt::format(" ({} times)", finding.count);
-      diagnostics.warning(finding.code, finding.place, finding.message + times).hint = finding.hint;
-    }
-  }
+  void report(Diagnostics& diagnostics) const { findings_.report(diagnostics); }
 
  private:
-  struct Finding {
-    const char* code = "";
-    std::string message, hint;
-    Place place;
-    int count = 0;
-  };
-
-  std::vector<Finding> findings_;
-  std::map<std::string, std::size_t> indices_;  // by kind and name
+  xml::Findings findings_;
 
   // The name under which the table lists an element.
   static std::string kind_of(const Element& element, const std::string& section) {
@@ -67,21 +54,17 @@ class NameChecker {
     std::vector<std::string> names = known.read;
     names.insert(names.end(), known.without_effect.begin(), known.without_effect.end());
     const std::string owner = kind.substr(kind.rfind('/') + 1);
-    add(kind + " " + attribute.name,
+    findings_.add(
+        kind + " " + attribute.name,
         {"unknown-attribute", fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, owner),
-         did_you_mean(attribute.name, names), attribute.name_place, 0});
+         did_you_mean(attribute.name, names), attribute.name_place});
   }
 
   void add(const std::string& kind, const Element& child, const KnownElement& known) {
     if (child.name == "include") return;
-    add(kind + "/" + child.name, {"unknown-element", fmt::format("element '{}' is unknown and ignored", child.name),
-                                  did_you_mean(child.name, known.children), child.place, 0});
-  }
-
-  void add(const std::string& key, const Finding& finding) {
-    const auto [at, is_new] = indices_.insert({key, findings_.size()});
-    if (is_new) findings_.push_back(finding);
-    ++findings_[at->second].count;
+    findings_.add(
+        kind + "/" + child.name, {"unknown-element", fmt::format("element '{}' is unknown and ignored", child.name),
+                                  did_you_mean(child.name, known.children), child.place});
   }
 };
 

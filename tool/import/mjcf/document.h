@@ -15,10 +15,7 @@
 
 namespace robcogen::import::from_mjcf {
 
-struct Name {
-  std::string text;  // empty if there is none
-  Place place;
-};
+using xml::Name;
 
 // A name in the file, from which `replicate` makes several by suffixes.
 struct Written {

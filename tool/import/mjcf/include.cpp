@@ -22,13 +22,6 @@ std::string without_prefix(const std::string& fault, const fs::path& path) {
       "file '{}': {}", path.string(), at == std::string::npos ? fault : fault.substr(at + marker.size()));
 }
 
-// The name precedes `=` and the value.
-Span name_span(const xml::Attribute& attribute, std::string_view text) {
-  const std::size_t equals = text.rfind('=', attribute.span.begin);
-  const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
-  return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
-}
-
 class IncludeReader {
  public:
   IncludeReader(fs::path folder, std::vector<fs::path>& included, Diagnostics& diagnostics)
@@ -72,10 +65,7 @@ class IncludeReader {
 
   // Copies an element. Returns whether everything that it includes could be read.
   bool copy(const xml::Element& from, const std::shared_ptr<const Source>& source, Element& to) {
-    to.name = from.name;
-    to.place = {source, from.span};
-    for (const xml::Attribute& a : from.attributes)
-      to.attributes.push_back({a.name, a.value, {source, a.span}, {source, name_span(a, source->text())}});
+    to = xml::located_tag(from, source);
     for (const xml::Element& child : from.children) {
       Element copied;
       if (!copy(child, source, copied)) return false;

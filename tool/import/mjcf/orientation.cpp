@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "import/mjcf/vector3.h"
+#include "import/rotation_matrix.h"
 #include "support/index.h"
 
 namespace robcogen::import::from_mjcf {
@@ -13,41 +14,9 @@ namespace {
 
 using Real = long double;
 using Vector = std::array<Real, 3>;
-using Matrix = std::array<Vector, 3>;  // rows
 
 // A few roundings of doubles.
 constexpr Real kRounding = 1e-15L;
-
-// atan2, as a multiple of PI/4 where it is one up to rounding.
-Number angle_of(Real y, Real x) {
-  const Real tolerance = kRounding * std::hypot(x, y);
-  const int sign = y < 0 ? -1 : 1;
-  if (std::abs(y) <= tolerance) return Number::pi_multiple(x < 0 ? 1 : 0);
-  if (std::abs(x) <= tolerance) return Number::pi_multiple(sign, 2);
-  if (std::abs(std::abs(x) - std::abs(y)) <= tolerance) return Number::pi_multiple(x < 0 ? 3 * sign : sign, 4);
-  return Number(static_cast<double>(std::atan2(y, x)));
-}
-
-// Decomposes R = Rx Ry Rz. If Ry is a quarter turn, only a sum of the other two angles is determined, and Rz is zero.
-Rotation rotation_of(const Matrix& R) {
-  const Real cosine = std::hypot(R[0][0], R[0][1]);
-  const Number y = angle_of(R[0][2], cosine);
-  const bool is_singular = cosine <= kRounding;
-  const Number z = is_singular ? Number() : angle_of(-R[0][1], R[0][0]);
-  // Taken from R Rz', which is accurate even if the cosine is small.
-  const Real c = std::cos(static_cast<Real>(z.value())), s = std::sin(static_cast<Real>(z.value()));
-  const Number x = angle_of(R[2][0] * s + R[2][1] * c, R[1][0] * s + R[1][1] * c);
-  return rotation_about(0, x) * rotation_about(1, y) * rotation_about(2, z);
-}
-
-Matrix matrix_of_quaternion(Real w, Real x, Real y, Real z) {
-  const Real n = w * w + x * x + y * y + z * z;
-  w /= std::sqrt(n), x /= std::sqrt(n), y /= std::sqrt(n), z /= std::sqrt(n);
-  return {
-      {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-       {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-       {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
-}
 
 class OrientationReader {
  public:
@@ -70,8 +39,9 @@ class OrientationReader {
     if (attribute.name == "xyaxes") return of_axes(attribute, n);
     if (attribute.name == "zaxis") return of_z_axis(attribute, n);
     if (attribute.name == "axisangle") return about(attribute, {n[0], n[1], n[2]}, angle(attribute, n[3]));
-    const std::array<double, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
-    return q == std::array<double, 4>() ? no_direction(attribute) : rotation_of_quaternion(q);
+    const std::array<Real, 4> q = {n[0].value(), n[1].value(), n[2].value(), n[3].value()};
+    if (q == std::array<Real, 4>()) return no_direction(attribute);
+    return rotation_of_quaternion(q);
   }
 
  private:
@@ -110,7 +80,7 @@ class OrientationReader {
     if (rest <= kRounding * std::abs(along)) return no_direction(attribute);
     for (Real& element : y) element /= rest;
     const Vector z = cross(x, y);
-    return rotation_of({{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}});
+    return rotation_of_matrix({{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}});
   }
 
   Rotation of_z_axis(const Attribute& attribute, const std::vector<Number>& n) {
@@ -126,7 +96,7 @@ class OrientationReader {
       if (axis[(i + 1) % 3].is_zero() && axis[(i + 2) % 3].is_zero())
         return rotation_about(static_cast<int>(i), a[i] < 0 ? -angle : angle);
     const Real half = static_cast<Real>(angle.value()) / 2, sine = std::sin(half) / length;
-    return rotation_of(matrix_of_quaternion(std::cos(half), sine * a[0], sine * a[1], sine * a[2]));
+    return rotation_of_quaternion({std::cos(half), sine * a[0], sine * a[1], sine * a[2]});
   }
 
   const Settings& settings_;
@@ -166,7 +136,7 @@ Rotation smallest_rotation_to_axis(const std::array<Number, 3>& direction) {
   const Real length = std::sqrt(dot(axis, axis));
   const Real w = 1 + axis[2] / length;
   if (w == 0) return rotation_about(0, Number::pi_multiple(1));
-  return rotation_of(matrix_of_quaternion(w, -axis[1] / length, axis[0] / length, 0));
+  return rotation_of_quaternion({w, -axis[1] / length, axis[0] / length, 0});
 }
 
 model::Quantity quantity(const Number& number) {
@@ -179,10 +149,6 @@ std::array<model::Quantity, 3> quantities(const std::array<Number, 3>& numbers) 
 
 Pose pose_of(const Element& element, const Settings& settings, Diagnostics& diagnostics) {
   return {quantities(Values(diagnostics).triple(element, "pos", {})), orientation_of(element, settings, diagnostics)};
-}
-
-Rotation rotation_of_quaternion(const std::array<double, 4>& q) {
-  return rotation_of(matrix_of_quaternion(q[0], q[1], q[2], q[3]));
 }
 
 }  // namespace robcogen::import::from_mjcf

@@ -12,8 +12,6 @@ Rotation orientation_of(const Element& element, const Settings& settings, Diagno
 // Returns the smallest rotation that turns z to this direction, which must not be zero; a rotation about x if the
 // direction is opposite to z.
 Rotation smallest_rotation_to_axis(const std::array<Number, 3>& direction);
-// Returns the rotation of a quaternion w, x, y, z, which must not be zero.
-Rotation rotation_of_quaternion(const std::array<double, 4>& quaternion);
 // Returns the orientation by Euler angles, each multiplied by `factor`.
 Rotation multiple_of_euler(
     const Attribute& euler,

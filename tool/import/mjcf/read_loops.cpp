@@ -97,9 +97,9 @@ class LoopReader {
     const Attribute* given = is_weld_ ? find(element_, "relpose") : nullptr;
     if (given != nullptr) {
       const std::vector<Number> n = values_.numbers(*given, 7, 7);
-      const std::array<double, 4> q = {n[3].value(), n[4].value(), n[5].value(), n[6].value()};
+      const std::array<long double, 4> q = {n[3].value(), n[4].value(), n[5].value(), n[6].value()};
       // As in MuJoCo, a zero quaternion stands for the poses as drawn.
-      if (q != std::array<double, 4>()) return {quantities({n[0], n[1], n[2]}), rotation_of_quaternion(q)};
+      if (q != std::array<long double, 4>()) return {quantities({n[0], n[1], n[2]}), rotation_of_quaternion(q)};
     }
     return drawn_pose(document_, ends[0].body, ends[1].body);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "import/mjcf.h"
+#include "import/sdf.h"
 #include "import/parts.h"
 #include "import/urdf.h"
 #include "language/common/content.h"
@@ -85,6 +86,12 @@ class Files {
       read_.insert(read_.end(), read->included.begin(), read->included.end());
       return written(read->tree, source, place);
     }
+    if (content == language::Content::sdf) {
+      const std::optional<Sdf> read = sdf(source, path, {.folders = options_.folders}, diagnostics_);
+      if (!read) return nullptr;
+      read_.insert(read_.end(), read->included.begin(), read->included.end());
+      return written(read->tree, source, place);
+    }
     return std::make_shared<const kinematics::Document>(kinematics::parse(source, diagnostics_));
   }
 
@@ -92,7 +99,7 @@ class Files {
   DocumentPtr written(const model::KinematicTree& tree, const std::shared_ptr<const Source>& source, const Place& place)
       const {
     if (!options_.write) {
-      diagnostics_.error("unreadable-import", place, "URDF and MJCF cannot be imported here");
+      diagnostics_.error("unreadable-import", place, "URDF, MJCF and SDF cannot be imported here");
       return nullptr;
     }
     kinematics::Document document = options_.write(tree);

@@ -44,6 +44,7 @@ class Converter {
     result.span = {begin, std::min(text_.size(), begin + 1 + result.name.size())};
     for (auto a = element.FirstAttribute(); a != nullptr; a = a->Next())
       result.attributes.push_back({a->Name(), a->ValueStr(), value_span(offset_of(a->Row(), a->Column()))});
+    read_text(element, result);
     for (auto child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
       result.children.push_back(convert(*child));
     return result;
@@ -60,6 +61,19 @@ class Converter {
     const std::size_t first = is_quoted ? begin + 1 : begin;
     const std::size_t end = is_quoted ? text_.find(text_[begin], first) : text_.find_first_of(" \t\n\v\f/>", first);
     return {first, std::min(end, text_.size())};
+  }
+
+  // TinyXML condenses blanks; the text is as it is written, unless it contains entities.
+  void read_text(const TiXmlElement& element, Element& result) const {
+    const TiXmlNode* node = element.FirstChild();
+    while (node != nullptr && node->ToText() == nullptr) node = node->NextSibling();
+    if (node == nullptr) return;
+    const std::size_t begin = offset_of(node->Row(), node->Column());
+    const std::size_t next = std::min(text_.find('<', begin), text_.size());
+    const std::string_view written = text_.substr(begin, next - begin);
+    result.text_span = {begin, begin + written.find_last_not_of(" \t\n\v\f") + 1};
+    const bool is_plain = !node->ToText()->CDATA() && written.find('&') == std::string_view::npos;
+    result.text = is_plain ? std::string(written.substr(0, result.text_span.end - begin)) : node->ValueStr();
   }
 
   std::string_view text_;

@@ -21,7 +21,9 @@ struct Element {
   std::string name;
   Span span;  // of `<name`
   std::vector<Attribute> attributes;
-  std::vector<Element> children;  // in the order of the text; text between elements is left out
+  std::vector<Element> children;  // in the order of the text
+  std::string text;               // the first text between its tags, without blanks at its ends
+  Span text_span;
 };
 
 // Checks that the tags of the text match, are nested at most 100 levels deep, and have at most 1000 attributes each, in

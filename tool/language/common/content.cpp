@@ -105,9 +105,10 @@ void refuse(const std::shared_ptr<const Source>& source, Content content, Diagno
           "other-format", {source, span},
           fmt::format("this is {}, not a robcogen document", description(content, text)))
       .hint =
-      content == Content::urdf || content == Content::mjcf
+      content == Content::urdf || content == Content::mjcf || content == Content::sdf
           ? "'robcogen convert' turns it into a robot document"
-          : "robots are read from URDF (.urdf), MJCF (.xml) and robot documents (.kindsl); convert it to one of these";
+          : "robots are read from URDF (.urdf), MJCF (.xml), SDF (.sdf) and robot documents (.kindsl); convert it to one "
+            "of these";
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "import/xml/located.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -5,9 +7,8 @@
 #include <cmath>
 
 #include "import/magnitudes.h"
-#include "import/mjcf/element.h"
 
-namespace robcogen::import::from_mjcf {
+namespace robcogen::import::xml {
 
 namespace {
 
@@ -22,29 +23,43 @@ std::vector<std::string> words_of(const std::string& value) {
   return words;
 }
 
+// The name precedes `=` and the value.
+Span name_span(const Attribute& attribute, std::string_view text) {
+  const std::size_t equals = text.rfind('=', attribute.span.begin);
+  const std::size_t begin = equals == std::string_view::npos ? equals : text.rfind(attribute.name, equals);
+  return begin == std::string_view::npos ? attribute.span : Span{begin, begin + attribute.name.size()};
+}
+
 }  // namespace
 
-const Attribute* find(const Element& element, const std::string& attribute) {
+LocatedElement located_tag(const Element& element, const std::shared_ptr<const Source>& source) {
+  LocatedElement result;
+  result.name = element.name;
+  result.place = {source, element.span};
+  result.text = element.text;
+  result.text_place = {source, element.text_span};
+  for (const Attribute& a : element.attributes)
+    result.attributes.push_back({a.name, a.value, {source, a.span}, {source, name_span(a, source->text())}});
+  return result;
+}
+
+LocatedElement located(const Element& element, const std::shared_ptr<const Source>& source) {
+  LocatedElement result = located_tag(element, source);
+  for (const Element& child : element.children) result.children.push_back(located(child, source));
+  return result;
+}
+
+const LocatedAttribute* find(const LocatedElement& element, const std::string& attribute) {
   const auto found = std::find_if(
-      element.attributes.begin(), element.attributes.end(), [&](const Attribute& a) { return a.name == attribute; });
+      element.attributes.begin(), element.attributes.end(), [&](const LocatedAttribute& a) { return a.name == attribute; });
   return found == element.attributes.end() ? nullptr : &*found;
 }
 
-bool is_orientation(const Attribute& attribute) {
-  constexpr std::array kNames = {"quat", "axisangle", "euler", "xyaxes", "zaxis"};
-  return std::find(kNames.begin(), kNames.end(), attribute.name) != kNames.end();
+LocatedAttribute text_of(const LocatedElement& element) {
+  return {element.name, element.text, element.text.empty() ? element.place : element.text_place, element.place};
 }
 
-bool has_orientation(const Element& element) {
-  return std::any_of(element.attributes.begin(), element.attributes.end(), is_orientation);
-}
-
-bool has_nonzero(const Attribute& attribute, Diagnostics& diagnostics) {
-  const std::vector<Number> n = Values(diagnostics).numbers(attribute, 1, 3);
-  return std::any_of(n.begin(), n.end(), [](const Number& x) { return !x.is_zero(); });
-}
-
-std::optional<std::vector<Number>> Values::read(const Attribute& attribute, std::size_t least, std::size_t most) {
+std::optional<std::vector<Number>> Values::read(const LocatedAttribute& attribute, std::size_t least, std::size_t most) {
   constexpr std::size_t kMaxShown = 40;
   std::vector<Number> result;
   for (const std::string& word : words_of(attribute.value)) {
@@ -69,31 +84,31 @@ std::optional<std::vector<Number>> Values::read(const Attribute& attribute, std:
   return std::nullopt;
 }
 
-std::vector<Number> Values::numbers(const Attribute& attribute, std::size_t least, std::size_t most) {
+std::vector<Number> Values::numbers(const LocatedAttribute& attribute, std::size_t least, std::size_t most) {
   return read(attribute, least, most).value_or(std::vector<Number>(least));
 }
 
-Number Values::scalar(const Element& element, const char* attribute, const Number& otherwise) {
-  const Attribute* found = find(element, attribute);
+Number Values::scalar(const LocatedElement& element, const char* attribute, const Number& otherwise) {
+  const LocatedAttribute* found = find(element, attribute);
   return found == nullptr ? otherwise : read(*found, 1, 1).value_or(std::vector<Number>{otherwise})[0];
 }
 
 std::array<Number, 3> Values::triple(
-    const Element& element,
+    const LocatedElement& element,
     const char* attribute,
     const std::array<Number, 3>& otherwise) {
-  const Attribute* found = find(element, attribute);
+  const LocatedAttribute* found = find(element, attribute);
   if (found == nullptr) return otherwise;
   const std::optional<std::vector<Number>> n = read(*found, 3, 3);
   return n ? std::array<Number, 3>{(*n)[0], (*n)[1], (*n)[2]} : otherwise;
 }
 
 std::size_t Values::word(
-    const Element& element,
+    const LocatedElement& element,
     const char* attribute,
     const std::vector<std::string>& words,
     std::size_t otherwise) {
-  const Attribute* found = find(element, attribute);
+  const LocatedAttribute* found = find(element, attribute);
   if (found == nullptr) return otherwise;
   const auto at = std::find(words.begin(), words.end(), found->value);
   if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
@@ -107,4 +122,4 @@ std::size_t Values::word(
   return otherwise;
 }
 
-}  // namespace robcogen::import::from_mjcf
+}  // namespace robcogen::import::xml
