@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t kMaxLength = 4096;  // of a path
 
-bool exists(const fs::path& path) {
+bool is_there(const fs::path& path) {
   std::error_code fault;
   return path.native().size() <= kMaxLength && fs::exists(path, fault);
 }
 
 std::optional<fs::path> existing(const fs::path& path) {
-  return exists(path) ? std::optional(path.lexically_normal()) : std::nullopt;
+  return is_there(path) ? std::optional(path.lexically_normal()) : std::nullopt;
 }
 
 // Looks up NAME/PATH.

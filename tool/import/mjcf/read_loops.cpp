@@ -6,6 +6,7 @@
 
 #include "import/mjcf/anchors.h"
 #include "import/mjcf/read.h"
+#include "import/rotation_matrix.h"
 
 namespace robcogen::import::from_mjcf {
 
