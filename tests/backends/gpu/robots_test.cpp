@@ -113,7 +113,6 @@ struct Asked {
   std::string robot;
   std::vector<std::string> groups = algorithm::default_groups();
   std::vector<std::string> derivatives = {};
-  backend::ColumnLoops loops = backend::ColumnLoops::if_long;
 };
 
 Library library(const Asked& asked) {
@@ -121,7 +120,7 @@ Library library(const Asked& asked) {
   for (const std::string& text : asked.derivatives) derivatives.push_back(driver::parse_derivative(text));
   return library_of(
       kRobots / asked.robot / (asked.robot + ".kindsl"), asked.robot, std::nullopt, derivatives, asked.groups,
-      {.caches_parameters = true, .column_loops = asked.loops});
+      kGpuFeatures);
 }
 
 class GpuRobots : public testing::TestWithParam<Asked> {};
@@ -139,11 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"hyl"},
         Asked{"hyl_parametric", {"inverse_dynamics", "joint_space_inertia"}, {"inverse_dynamics:q,parameters"}},
         // Columns are solved for in a loop.
-        Asked{
-            "geared_leg",
-            {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"},
-            {},
-            backend::ColumnLoops::if_faster},
+        Asked{"geared_leg", {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}},
 #if ROBCOGEN_TEST_EVERYTHING
         Asked{"iiwa14", algorithm::groups()},
         Asked{"centaur", algorithm::groups()},

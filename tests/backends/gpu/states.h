@@ -22,7 +22,7 @@ namespace robcogen::test {
 inline const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
 inline const backend::Features kGpuFeatures = {
     .caches_parameters = true,
-    .column_loops = backend::ColumnLoops::if_long};
+    .column_loops = backend::ColumnLoops::if_faster};
 
 // Writes the text of the library.
 inline void write_gpu(const std::filesystem::path& folder, const backend::Library& library) {
