@@ -1,5 +1,6 @@
 """A seven-joint arm in Python: gravity torques over a workspace, a step under computed torque, identification from noisy
-measurements. Run it with the package robcogen on PYTHONPATH; with matplotlib and the argument --plot FILE it draws figures.
+measurements, all postures with which it reaches a pose. Run it with the package robcogen on PYTHONPATH; with matplotlib and the
+argument --plot FILE it draws figures.
 """
 import sys
 from pathlib import Path
@@ -44,6 +45,18 @@ def identify(arm, states=2000, noise=0.5, seed=1):
     return parameters, np.sqrt(np.mean(error**2))
 
 
+def postures(arm, q, turns=13):
+    """All positions with the pose of the hand at q: of each swivel angle the branches that exist, and their pose errors."""
+    X = arm.transforms.homogeneous.fr_base_X_fr_ee(q)
+    found = []
+    for swivel in np.linspace(-np.pi, np.pi, turns, endpoint=False):
+        branches = arm.inverse_kinematics.fr_base_X_fr_ee(X, [swivel], q)
+        angles = np.arctan2(branches.sin_q, branches.cos_q)
+        found += [column for column, misfit in zip(angles.T, branches.misfit) if misfit < 1e-9]
+    poses = arm.transforms.homogeneous.fr_base_X_fr_ee(np.array(found))
+    return np.array(found), np.abs(poses - X).max()
+
+
 def plot(file, second, fourth, torques, positions):
     import matplotlib
 
@@ -59,8 +72,9 @@ def plot(file, second, fourth, torques, positions):
 
 
 def main():
-    groups = ["inverse_dynamics", "bias_forces", "forward_dynamics", "base_regressor"]
-    arm = robcogen.load(MODEL, name="arm", algorithms=groups)
+    groups = ["inverse_dynamics", "bias_forces", "forward_dynamics", "base_regressor", "transforms", "inverse_kinematics"]
+    arm = robcogen.load(
+        MODEL, name="arm", algorithms=groups, options=["--inverse-kinematics", "fr_base:fr_ee:swivel"])
     second, fourth, torques = gravity_map(arm)
     print(f"gravity torque of joint 2: at most {np.abs(torques).max():.1f} N m")
     goal = np.array([0.5, 0.6, -0.4, -1.2, 0.3, 0.8, 0.1])
@@ -68,6 +82,8 @@ def main():
     print(f"distance to the goal after 2 s: {np.abs(positions[-1] - goal).max():.1e} rad")
     parameters, error = identify(arm)
     print(f"{len(parameters)} base parameters predict torques within {error:.3f} N m of the model, from noise of 0.5 N m")
+    reached, error = postures(arm, goal)
+    print(f"{len(reached)} postures have the pose of the goal within {error:.0e}")
     if "--plot" in sys.argv:
         file = sys.argv[sys.argv.index("--plot") + 1]
         plot(file, second, fourth, torques, positions)

@@ -19,8 +19,8 @@ namespace {  // separate in each file, like lanes
 namespace lanes {
 
 // Minimax polynomials in z = t^2 for t in [-1/2, 1/2] (Remez exchange, coefficients rounded one after the other):
-// atan t = t + t z a(z). The relative error of atan t is 2^-57.6 for double and 2^-27 for float. Even and odd powers are
-// summed apart, which halves the latency.
+// atan t = t + t z a(z). The relative error of atan t is 2^-57.6 for double and 2^-27 for float. Even and odd powers
+// are summed apart, which halves the latency.
 template <class Numbers>
 ROBCOGEN_INLINE Numbers rest_of_arc_tangent(const Numbers& z) noexcept {
   const Numbers y = z * z;
@@ -29,8 +29,14 @@ ROBCOGEN_INLINE Numbers rest_of_arc_tangent(const Numbers& z) noexcept {
     const Numbers odd = 0x1.997b02p-3f + y * 0x1.9ff658p-4f;
     return even + z * odd;
   } else {
-    const Numbers even = -0.3333333333333298 + y * (-0.1428571427638877 + y * (-0.09090896248319676 + y * (-0.0666381115682923 + y * (-0.05122020451726037 + y * -0.027435540104686972))));
-    const Numbers odd = 0.1999999999990313 + y * (0.11111110659776789 + y * (0.07692073967524499 + y * (0.05858302395471654 + y * (0.04186543224241787 + y * 0.010117238483047363))));
+    const Numbers even = -0.3333333333333298 +
+                         y * (-0.1428571427638877 +
+                              y * (-0.09090896248319676 +
+                                   y * (-0.0666381115682923 + y * (-0.05122020451726037 + y * -0.027435540104686972))));
+    const Numbers odd = 0.1999999999990313 +
+                        y * (0.11111110659776789 +
+                             y * (0.07692073967524499 +
+                                  y * (0.05858302395471654 + y * (0.04186543224241787 + y * 0.010117238483047363))));
     return even + z * odd;
   }
 }
@@ -66,7 +72,8 @@ ROBCOGEN_INLINE Numbers arc_tangent_of(const Numbers& y, const Numbers& x) noexc
   const Numbers ratio = chosen<Numbers>(turned, less, less - more) /
                         (chosen<Numbers>(turned, more, less + more) + std::numeric_limits<Scalar>::min());
   const Numbers z = ratio * ratio, angle = ratio + ratio * z * rest_of_arc_tangent(z);
-  const Numbers of_less = where_set<Numbers>(turned, 1), of_quadrant = without_sign(where_set<Numbers>(steep, 2) - of_less);
+  const Numbers of_less = where_set<Numbers>(turned, 1),
+                of_quadrant = without_sign(where_set<Numbers>(steep, 2) - of_less);
   const Numbers k = without_sign(where_set<Numbers>(bits(x), 4) - of_quadrant);
   const Bits<Numbers> backward = (steep ^ bits(x)) >> kHighest << kHighest, below = bits(y) >> kHighest << kHighest;
   const Numbers upper = k * kPart1 + (numbers<Numbers>(bits(angle) ^ backward) + k * kPart2);
@@ -91,7 +98,9 @@ ROBCOGEN_INLINE auto arc_tangent(const Sine& sine, const Cosine& cosine) noexcep
 }
 
 template <class Scalar, int kSize>
-ROBCOGEN_INLINE Lanes<Scalar, kSize> atan2(const Lanes<Scalar, kSize>& sine, const Lanes<Scalar, kSize>& cosine) noexcept {
+ROBCOGEN_INLINE Lanes<Scalar, kSize> atan2(
+    const Lanes<Scalar, kSize>& sine,
+    const Lanes<Scalar, kSize>& cosine) noexcept {
   if constexpr (kSize > 1 && kSize > lanes::kInRegister<Scalar>)
     return {atan2(sine.low(), cosine.low()), atan2(sine.high(), cosine.high())};
   else if constexpr (std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>)

@@ -96,8 +96,7 @@ JointState branch_positions(
     const JointState& reference) noexcept {
   constexpr auto kCount = static_cast<int>(std::tuple_size<Joints>::value);
   typename JointState::Scalar angles[kCount];
-  arc_tangents_of<kCount>(
-      branches.sin_q.data() + kCount * branch, branches.cos_q.data() + kCount * branch, angles);
+  arc_tangents_of<kCount>(branches.sin_q.data() + kCount * branch, branches.cos_q.data() + kCount * branch, angles);
   JointState q = reference;
   for (int row = 0; row < kCount; ++row) {
     const int joint = static_cast<int>(joints[static_cast<std::size_t>(row)]);
@@ -107,8 +106,8 @@ JointState branch_positions(
   return q;
 }
 
-// The positions in all branches, a column each; the rows are those of `sin_q`. Their arc tangents are computed together,
-// in half of the time that the branches take one by one.
+// The positions in all branches, a column each; the rows are those of `sin_q`. Their arc tangents are computed
+// together, in half of the time that the branches take one by one.
 template <class Branches, class Joints, class Types>
 auto branch_positions(const Branches& branches, const Joints& joints, const Types& types) noexcept {
   auto q = branches.sin_q;

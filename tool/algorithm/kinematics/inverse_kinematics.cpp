@@ -118,8 +118,7 @@ class Inversion {
   }
 
   inversion::StepSolver solver() {
-    return {
-        trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>()};
+    return {trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>()};
   }
 };
 

@@ -132,11 +132,13 @@ std::string text(const Line& line) {
            expression, ");"});
     case Line::Kind::sincos_of:
       return concat(
-          {"const robcogen::SinCosOf<", type_of_line(line), ", ", number(count), "> ", targets[0], "(&", expression, ");"});
+          {"const robcogen::SinCosOf<", type_of_line(line), ", ", number(count), "> ", targets[0], "(&", expression,
+           ");"});
     case Line::Kind::pick:
       return concat({"const auto [", targets[0], ", ", targets[1], "] = ", expression, ";"});
     case Line::Kind::definition:
-      return wrapped(concat({"const ", type_of_line(line), " ", targets[0], " = ", expression, ";"}), dialect().line_limit);
+      return wrapped(
+          concat({"const ", type_of_line(line), " ", targets[0], " = ", expression, ";"}), dialect().line_limit);
     case Line::Kind::load_block:
       return concat(
           {"const auto ", targets[0], " = robcogen::load_lanes<", number(width), ", ", number(count), ", ",

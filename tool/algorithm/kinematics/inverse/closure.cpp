@@ -1,6 +1,5 @@
 #include "algorithm/kinematics/inverse/closure.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -99,9 +98,7 @@ class ClosureSearch {
   };
   // A point of the link and two directions.
   OfLink of_link(int link) const {
-    const auto is_of_link = [&](const Priced& p) {
-      return p.item.feature.begin <= link && link <= p.item.feature.end;
-    };
+    const auto is_of_link = [&](const Priced& p) { return p.item.feature.begin <= link && link <= p.item.feature.end; };
     const Priced* point = nullptr;
     for (const Priced& p : points_)
       if (is_of_link(p) && (!point || p.cost < point->cost)) point = &p;

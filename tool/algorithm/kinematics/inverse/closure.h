@@ -1,6 +1,6 @@
-// By how much a branch misses its target. Where two solutions meet, an equation that holds up to rounding leaves an error
-// of the square root of rounding; so the equations of the steps do not tell whether a branch has the pose. Features of
-// one link do, seen both ways around the loop of chain and target.
+// By how much a branch misses its target. Where two solutions meet, an equation that holds up to rounding leaves an
+// error of the square root of rounding; so the equations of the steps do not tell whether a branch has the pose.
+// Features of one link do, seen both ways around the loop of chain and target.
 #pragma once
 
 #include <vector>

@@ -395,8 +395,7 @@ std::optional<SolvedJoint> StepSolver::by_height(const Step& step, const JointVa
   const Vector3 origin = axis_point(m);
   const Expression value = height + dot(normal, of_plane - origin);
   const Vector3 arm = point - origin;
-  return is_normal_left ? two_roots(m, normal, arm, value, sign, {})
-                        : two_roots(m, arm, normal, value, sign, {});
+  return is_normal_left ? two_roots(m, normal, arm, value, sign, {}) : two_roots(m, arm, normal, value, sign, {});
 }
 
 // The axis of the joint and the normal of the plane meet: from there, the point is equally far both ways.
