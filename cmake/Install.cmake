@@ -42,6 +42,7 @@ install(
         cmake/RobcogenInstall.cmake
         cmake/RobcogenProcessors.cmake
         cmake/RobcogenPython.cmake
+        cmake/RobcogenRos.cmake
         cmake/RobcogenTool.cmake
         cmake/RobcogenUnity.cmake
         cmake/RobcogenComplete.cmake

@@ -98,6 +98,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/RobcogenCompatibility.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenInstall.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenProcessors.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenPython.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/RobcogenRos.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenTool.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenUnity.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/RobcogenView.cmake)
@@ -533,6 +534,8 @@ function(_robcogen_add_library target)
     ${target}
     PROPERTIES ROBCOGEN_MODEL ${library_MODEL}
                ROBCOGEN_NAME ${library_NAME}
+               ROBCOGEN_NAMESPACE "${library_NAMESPACE}"
+               ROBCOGEN_INVERSE_KINEMATICS "${library_INVERSE_KINEMATICS}"
                ROBCOGEN_GROUPS "${library_groups}"
                ROBCOGEN_LEVELS "${library_levels}"
                FOLDER robots

@@ -18,6 +18,7 @@ endfunction()
 
 file(GLOB_RECURSE headers RELATIVE ${HEADERS} ${HEADERS}/robcogen/*.h)
 list(FILTER headers EXCLUDE REGEX "/python/")  # these need the headers of Python
+list(FILTER headers EXCLUDE REGEX "/ros/")  # most of these need ROS
 list(FILTER headers EXCLUDE REGEX "/compatibility/")  # these need the headers of the first RobCoGen
 set(older "")
 set(newer "")

@@ -88,10 +88,25 @@ file(WRITE ${workspace}/src/user/package.xml
      "<package format=\"3\"><name>user</name><version>1.0.0</version><description>A user</description>
       <maintainer email=\"robcogen@example.org\">RobCoGen developers</maintainer><license>BSD-3-Clause</license>
       <depend>demo_arm_control</depend><export><build_type>cmake</build_type></export></package>")
+# A robot with plugins for interfaces of ROS, of which there are stand-ins.
+file(COPY ${SOURCE_DIR}/robots/ros2_arm/ DESTINATION ${workspace}/src/ros2_arm)
 file(REMOVE_RECURSE ${workspace}/build ${workspace}/install)
-set(ENV{CMAKE_PREFIX_PATH} ${PREFIX})
+set(ENV{CMAKE_PREFIX_PATH} ${PREFIX}:${SOURCE_DIR}/tests/ros/stand_ins)
 set(ENV{CXX} ${CXX_COMPILER})
 run(output ${CMAKE_COMMAND} -E chdir ${workspace} ${colcon_program} --log-base ${workspace}/log build --base-paths src --executor sequential)
 expect_words("colcon" "${output}" "Finished <<< user")
 run(output ${workspace}/build/user/user)
 expect_words("interfaces of colcon's" "${output}" "shoulder_pan/effort shoulder_lift/effort elbow/effort")
+
+set(prefix ${workspace}/install/ros2_arm)
+set(packages kinematics_interface inverse_dynamics_solver moveit_core)
+foreach(interface kinematics_interface inverse_dynamics_solver moveit)
+  list(POP_FRONT packages package)
+  file(READ ${prefix}/share/ament_index/resource_index/${package}__pluginlib__plugin/ros2_arm description)
+  expect_equal("the index of ${package}" "${description}" "share/ros2_arm/six_axis_${interface}.xml\n")
+  file(READ ${prefix}/share/ros2_arm/six_axis_${interface}.xml description)
+  expect_words("the description" "${description}" "<library path=\"six_axis_${interface}\"> <class name=\"ros2_arm/six_axis_${interface}\"")
+  if(NOT EXISTS ${prefix}/lib/libsix_axis_${interface}.so)
+    message(FATAL_ERROR "the plugin for ${interface} is not installed")
+  endif()
+endforeach()

@@ -1,0 +1,5 @@
+if(TARGET kinematics_interface::kinematics_interface)
+  return()
+endif()
+add_library(kinematics_interface::kinematics_interface INTERFACE IMPORTED)
+target_include_directories(kinematics_interface::kinematics_interface INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)

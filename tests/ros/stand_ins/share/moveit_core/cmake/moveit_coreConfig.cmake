@@ -1,0 +1,7 @@
+if(TARGET moveit_core::moveit_kinematics_base)
+  return()
+endif()
+foreach(library moveit_kinematics_base moveit_robot_model)
+  add_library(moveit_core::${library} INTERFACE IMPORTED)
+  target_include_directories(moveit_core::${library} INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)
+endforeach()

@@ -1,0 +1,5 @@
+if(TARGET pluginlib::pluginlib)
+  return()
+endif()
+add_library(pluginlib::pluginlib INTERFACE IMPORTED)
+target_include_directories(pluginlib::pluginlib INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)

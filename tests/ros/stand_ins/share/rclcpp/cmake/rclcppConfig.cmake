@@ -1,0 +1,5 @@
+if(TARGET rclcpp::rclcpp)
+  return()
+endif()
+add_library(rclcpp::rclcpp INTERFACE IMPORTED)
+target_include_directories(rclcpp::rclcpp INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)
