@@ -226,6 +226,7 @@ std::string difference_of_dynamics(
       armatures(j, j) += drive.armature;
       continue;
     }
+    if (drive.armature == 0) continue;  // factors may be no numbers
     const Eigen::Map<const JointState> factors(tables.couplings[j - R::kDof].factors);
     armatures += drive.armature * factors * factors.transpose();
   }

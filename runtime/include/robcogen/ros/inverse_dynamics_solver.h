@@ -85,8 +85,10 @@ class InverseDynamicsSolver : public inverse_dynamics_solver::InverseDynamicsSol
     JointState tau;
     for (int j = 0; j < R::kDof; ++j) tau[j] = friction(tables_.joints[j].drive, qd[j]);
     for (int c = 0; c < tables_.couplings.size; ++c) {
+      const JointDrive& drive = tables_.joints[R::kDof + c].drive;
+      if (drive.damping == 0 && drive.friction == 0) continue;  // factors may be no numbers
       const Eigen::Map<const JointState> factors(tables_.couplings[c].factors);
-      tau += factors * friction(tables_.joints[R::kDof + c].drive, factors.dot(qd));
+      tau += factors * friction(drive, factors.dot(qd));
     }
     return selected(tau);
   }
