@@ -17,12 +17,13 @@ prefix=${argument:+$(realpath --canonicalize-missing "$argument")}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev)
-source_packages=(fmtlib urdfdom urdfdom-headers tinyxml console-bridge)
+source_packages=(fmtlib urdfdom urdfdom-headers tinyxml console-bridge cli11 nlohmann-json3)
 test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-kdl-dev libmujoco-dev octave maxima nodejs
   chromium python3-dev python3-numpy groff-base ocl-icd-opencl-dev pocl-opencl-icd)
 more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
-  python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros python3-venv)
+  python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros python3-venv
+  g++-mingw-w64-x86-64-posix wine wine64)
 
 usage() {
   sed -n '2,12s/^# \{0,1\}//p' cmake/bootstrap.sh

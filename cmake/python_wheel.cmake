@@ -23,8 +23,8 @@ file(COPY ${EIGEN}/Eigen DESTINATION ${prefix}/share/robcogen/eigen3)
 # The licences of what the generator links and the wheel brings. Debian has them beside its packages and in its sources.
 file(COPY ${SOURCE_DIR}/LICENSE DESTINATION ${licenses})
 foreach(library "fmt;libfmt-dev;fmt*" "urdfdom;liburdfdom-dev;urdfdom-[0-9]*" "urdfdom-headers;liburdfdom-headers-dev;urdfdom[-_]headers-*"
-                "tinyxml;libtinyxml-dev;tinyxml-*" "console-bridge;libconsole-bridge-dev;console?bridge-*" "cli11;libcli11-dev;CLI11-*"
-                "nlohmann-json;nlohmann-json3-dev;json-*" "eigen;libeigen3-dev;eigen-*" "gcc;gcc-*-base;" "glibc;libc6;")
+                "tinyxml;libtinyxml-dev;tinyxml-*" "console-bridge;libconsole-bridge-dev;console?bridge-*" "cli11;libcli11-dev;cli11-*"
+                "nlohmann-json;nlohmann-json3-dev;nlohmann-json*" "eigen;libeigen3-dev;" "gcc;gcc-*-base;" "glibc;libc6;")
   list(GET library 0 name)
   list(GET library 1 package)
   list(GET library 2 folder)

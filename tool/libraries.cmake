@@ -2,8 +2,9 @@
 # TinyXML for places in the text; MJCF is read with the same libraries.
 #
 # Where ROBCOGEN_LIBRARY_SOURCES names a folder of sources, {fmt}, urdfdom, and TinyXML and console_bridge, on which urdfdom
-# builds, are compiled from these and linked statically: for wheels, and for systems that have no packages of them.
-# `cmake/bootstrap.sh sources FOLDER` makes such a folder.
+# builds, are compiled from these and linked statically: for wheels, for other systems, and for those that have no packages of
+# them. The headers of CLI11 and nlohmann-json are taken from there too, or else are packages. `cmake/bootstrap.sh sources FOLDER`
+# makes such a folder.
 #
 # Sets urdf_is_read, and urdf_includes and urdf_libraries if it is on.
 set(ROBCOGEN_URDF AUTO CACHE STRING "Read URDFs, MJCF and SDF, with urdfdom: ON, OFF, or AUTO (where it is installed)")
@@ -11,9 +12,24 @@ set_property(CACHE ROBCOGEN_URDF PROPERTY STRINGS AUTO ON OFF)
 set(ROBCOGEN_LIBRARY_SOURCES "" CACHE PATH "Folder of the sources of fmt, urdfdom, TinyXML and console_bridge, to link these statically")
 option(ROBCOGEN_STATIC "Link the generator with static libraries only, that of C included" OFF)
 
-find_package(CLI11 REQUIRED)
-find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+
+# Makes a library of headers from the sources, or finds its package.
+function(_robcogen_headers package target pattern file)
+  file(GLOB folders ${ROBCOGEN_LIBRARY_SOURCES}/${pattern})
+  foreach(folder IN LISTS folders)
+    if(ROBCOGEN_LIBRARY_SOURCES AND EXISTS ${folder}/include/${file})
+      string(TOLOWER robcogen_${package} headers)
+      add_library(${headers} INTERFACE)
+      target_include_directories(${headers} SYSTEM INTERFACE ${folder}/include)
+      add_library(${target} ALIAS ${headers})
+      return()
+    endif()
+  endforeach()
+  find_package(${package} REQUIRED)
+endfunction()
+_robcogen_headers(CLI11 CLI11::CLI11 "cli11-*" CLI/CLI.hpp)
+_robcogen_headers(nlohmann_json nlohmann_json::nlohmann_json "nlohmann-json*" nlohmann/json.hpp)
 
 # Sets `result` to the folder of one library's sources, which is called like the library and its version.
 function(_robcogen_sources pattern file result)

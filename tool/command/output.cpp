@@ -8,6 +8,10 @@
 #include <cstdio>
 #include <system_error>
 
+#ifdef _WIN32
+#include <io.h>
+#endif
+
 namespace robcogen::command {
 namespace {
 
@@ -35,6 +39,12 @@ bool takes_nothing() {
 
 }  // namespace
 
+#ifdef _WIN32
+void prepare_streams() {
+  // Generated text has the same bytes everywhere: a line does not end with a carriage return.
+  for (std::FILE* stream : {stdin, stdout, stderr}) static_cast<void>(::_setmode(::_fileno(stream), _O_BINARY));
+}
+#else
 void prepare_streams() {
   // A closed stream is opened in the wrong direction, so that using it remains an error.
   for (const auto& [stream, direction] :
@@ -42,6 +52,7 @@ void prepare_streams() {
     if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", direction));
   std::signal(SIGPIPE, SIG_IGN);
 }
+#endif
 
 void write_output(std::string_view text) {
   errno = 0;

@@ -45,16 +45,28 @@ bool write(const fs::path& path, const std::string& text) {
 
 constexpr const char* kTemporary = ".robcogen-new";
 
-// A file, whatever its path: the device and the number on it.
+// A file, whatever its path; nullopt if there is no regular file.
+#ifdef _WIN32
+// `stat` does not number the files, and nothing tells which one a stream is: the path without links.
+using Identity = fs::path;
+
+std::optional<Identity> identity(const fs::path& path, int) {
+  std::error_code fault;
+  if (!fs::is_regular_file(path, fault)) return std::nullopt;
+  const fs::path place = fs::canonical(path, fault);
+  return fault ? path : place;
+}
+#else
+// The device and the number on it.
 using Identity = std::pair<dev_t, ino_t>;
 
-// nullopt if there is no regular file.
 std::optional<Identity> identity(const fs::path& path, int standard_stream) {
   struct stat status {};
   const int fault = path == "-" ? ::fstat(standard_stream, &status) : ::stat(path.c_str(), &status);
   if (fault != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return Identity(status.st_dev, status.st_ino);
 }
+#endif
 
 std::string reason(int number) {
   return number == 0 ? "" : ": " + std::generic_category().message(number);
@@ -117,7 +129,7 @@ std::optional<std::string> read_file(const fs::path& path, std::string& error) {
   }
   errno = 0;
   const std::unique_ptr<std::FILE, void (*)(std::FILE*)> file(
-      is_input ? stdin : std::fopen(path.c_str(), "rb"), [](std::FILE* f) {
+      is_input ? stdin : std::fopen(path.string().c_str(), "rb"), [](std::FILE* f) {
         if (f && f != stdin) static_cast<void>(std::fclose(f));
       });
   std::optional<std::string> text;

@@ -17,6 +17,8 @@ constexpr const char* kOpening =
 #ifdef __cplusplus
 #define @_restrict
 extern "C" {
+#elif defined(_MSC_VER)
+#define @_restrict __restrict
 #else
 #define @_restrict restrict
 #endif
