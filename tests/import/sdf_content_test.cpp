@@ -2,6 +2,8 @@
 // with that of SDF, and numbers that were computed by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -83,6 +85,11 @@ std::string arm_in_urdf(const std::string& passive = "") {
          "<child link='tool'/></joint>";
 }
 
+// The links and joints of a robot document. What is fixed to the world has no mass here, unlike in a URDF.
+std::string moving(const std::string& document) {
+  return document.substr(std::min(document.find("\n    link "), document.size()));
+}
+
 // Frames of joints and links where a URDF has them, as a conversion of a URDF writes them.
 std::string arm_by_joints(const std::string& passive = "") {
   return link("base") + link("upper", "<pose relative_to='shoulder'/>") + link("lower", "<pose relative_to='slide'/>") +
@@ -97,15 +104,17 @@ std::string arm_by_joints(const std::string& passive = "") {
 }
 
 TEST(Sdf, IsTheUrdfThatItWasConvertedFrom) {
-  EXPECT_EQ(document_of(arm_by_joints()), document_of_urdf(arm_in_urdf()));
+  const std::string document = moving(document_of(arm_by_joints()));
+  EXPECT_FALSE(document.empty());
+  EXPECT_EQ(document, moving(document_of_urdf(arm_in_urdf())));
 }
 
 TEST(Sdf, HasDampingFrictionAndSprings) {
   import::UrdfOptions options;
   options.passive_forces = true;
   EXPECT_EQ(
-      document_of(arm_by_joints("<dynamics><damping>0.5</damping><friction>0.25</friction></dynamics>")),
-      document_of_urdf(arm_in_urdf("<dynamics damping='0.5' friction='0.25'/>"), options));
+      moving(document_of(arm_by_joints("<dynamics><damping>0.5</damping><friction>0.25</friction></dynamics>"))),
+      moving(document_of_urdf(arm_in_urdf("<dynamics damping='0.5' friction='0.25'/>"), options)));
   const model::KinematicTree tree = tree_of(sdf(arm_by_joints(
       "<dynamics><spring_stiffness>7</spring_stiffness><spring_reference>0.5</spring_reference></dynamics>")));
   EXPECT_EQ(model::evaluate(tree.joints[0].drive.stiffness), 7);
@@ -128,13 +137,8 @@ TEST(Sdf, PosesMayBeRelativeToAnyFrame) {
   const std::string turns =
       "<frame name='a'><pose degrees='true'>0.5 0 0 0 0 90</pose></frame>"
       "<frame name='b' attached_to='a'><pose rotation_format='quat_xyzw'>0 0 0.25 0 0 -1 1</pose></frame>";
-  const auto without_frames = [](std::string text) {
-    for (const char* name : {"frame a", "frame b"})
-      if (const std::size_t at = text.find(name); at != std::string::npos) text.erase(at, text.find("}\n", at + 80) + 2 - at);
-    return text;
-  };
   const std::string by_frames = arm("<pose relative_to='b'/>", "", turns);
-  EXPECT_NE(by_frames.find("translation = (0.5, 0.0, 0.25)"), std::string::npos) << without_frames(by_frames);
+  EXPECT_NE(by_frames.find("translation = (0.5, 0.0, 0.25)"), std::string::npos) << by_frames;
 }
 
 // The origin of the joint is not that of the link: the reader moves the frame of the model to it.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "support/index.h"
 
@@ -74,6 +76,8 @@ class Resolver {
     };
     if (name.text == "world") return kWorld;
     if (const std::optional<int> found = find_named(document_, scope, name.text, lookup)) return *found;
+    // The default of a pose is the same name once more.
+    if (!reported_.insert({name.place.source.get(), name.place.span.begin}).second) return otherwise;
     diagnostics_.error("unknown-frame", name.place, fmt::format("'{}' is not a frame of this model", name.text)).hint =
         did_you_mean(name.text, names_in(document_.scopes[at(document_.scopes[at(scope)].names)].frames));
     return otherwise;
@@ -141,6 +145,7 @@ class Resolver {
   Document& document_;
   Diagnostics& diagnostics_;
   std::vector<int> placements_;  // by frame: the placement frame, or -1
+  std::set<std::pair<const Source*, std::size_t>> reported_;  // places of unknown names
 };
 
 }  // namespace
