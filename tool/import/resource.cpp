@@ -10,20 +10,10 @@ namespace {
 
 constexpr std::size_t kMaxLength = 4096;  // of a path
 
-<<<<<<< ours
-bool is_there(const fs::path& path) {
-  std::error_code fault;
-  return path.native().size() <= kMaxLength && fs::exists(path, fault);
-}
-
-std::optional<fs::path> existing(const fs::path& path) {
-  return is_there(path) ? std::optional(path.lexically_normal()) : std::nullopt;
-=======
 std::optional<fs::path> existing(const fs::path& path) {
   std::error_code fault;
   const bool is_there = path.native().size() <= kMaxLength && fs::exists(path, fault);
   return is_there ? std::optional(path.lexically_normal()) : std::nullopt;
->>>>>>> theirs
 }
 
 // Looks up NAME/PATH.
