@@ -2,6 +2,7 @@
 #include <both/leg/leg.h>
 #include <gpus_leg_gpu/gpus_leg_gpu.h>
 
+#include <algorithm>
 #include <cstdio>
 
 int main() {
