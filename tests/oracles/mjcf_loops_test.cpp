@@ -137,8 +137,10 @@ class Comparison {
   }
 
   int joint_called(const std::string& name) const {
-    for (int j = 0; j < tables_.joints.size; ++j)
-      if (tables_.joints[j].name == name) return j;
+    // A joint with the name of a body has a suffix.
+    for (const std::string& called : {name, name + "_joint"})
+      for (int j = 0; j < tables_.joints.size; ++j)
+        if (tables_.joints[j].name == called) return j;
     throw std::runtime_error("no joint " + name);
   }
 
