@@ -48,10 +48,19 @@ std::string own_kernels(const Api& api, const std::vector<std::string>& groups) 
   return in_namespace(kAround, "namespace {\n" + includes(files) + "}  // namespace\n");
 }
 
+bool has_arc_tangents(const Callable& c) {
+  const std::vector<symbolic::Statement>& statements = c.function->program.statements;
+  return std::any_of(statements.begin(), statements.end(), [](const symbolic::Statement& s) {
+    return s.op == symbolic::Op::arc_tangent;
+  });
+}
+
 std::string includes_of_kernels(const Api& api, const std::vector<std::string>& more) {
   std::vector<std::string> headers = {
       "\"robcogen/lane_blocks.h\"", "\"robcogen/level.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (!api.right_sides.empty()) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
+  if (std::any_of(api.callables.begin(), api.callables.end(), has_arc_tangents))
+    headers.insert(headers.begin(), "\"robcogen/arc_tangent.h\"");
   headers.insert(headers.end(), more.begin(), more.end());
   return paragraphs({includes({"<cmath>"}), includes(headers)});
 }
