@@ -97,17 +97,17 @@ TEST(LanePlans, ASumOverLimbsIsASumOfLanes) {
   EXPECT_EQ(terms.kind, Kind::sum);
   EXPECT_TRUE(terms.lanes.empty());
   ASSERT_EQ(terms.parts.size(), 1U);
-  EXPECT_EQ(terms.parts[0].flips, 0b10U);
+  EXPECT_EQ(terms.parts[0].negated_lanes, 0b10U);
 }
 
 TEST(LanePlans, SignsOfLanesAreFlips) {
   const Program p = limbs_program("tmp L_a = a[0] * a[1]\ntmp R_a = a[2] * -a[3]\n", "L_a -R_a", 2);
   const LanePlan plan = plan_of(p);
   ASSERT_EQ(plan.roots.size(), 1U);
-  EXPECT_EQ(plan.roots[0].flips, 0b10U);
+  EXPECT_EQ(plan.roots[0].negated_lanes, 0b10U);
   const PackedValue& root = plan.packed_values[static_cast<std::size_t>(plan.roots[0].packed_value)];
   ASSERT_EQ(root.parts.size(), 2U);
-  EXPECT_EQ(root.parts[0].flips ^ root.parts[1].flips, 0b10U);
+  EXPECT_EQ(root.parts[0].negated_lanes ^ root.parts[1].negated_lanes, 0b10U);
 }
 
 // A limb with fewer terms is filled up with zeros.
