@@ -81,7 +81,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
   std::erase_if(codes, [](const std::string& code) { return code.starts_with("lock"); });
   for (const char* code :
        {"unmatched-frame", "parameter-syntax", "parameter-quantity", "parameter-element", "parameter-rotor",
-        "parameter-name", "parameter-unused"})
+        "parameter-name", "parameter-unused", "angle-snapped", "angles-near-multiples"})
     codes.erase(code);
   test::expect_documents(codes, folder(), extensions());
 }
