@@ -70,7 +70,8 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
       const int constant_cost = symbolic::cost(pass::run(constants[k])).instructions;
       const std::string& function = programs[k].name;
       const auto names = [&](const char* word) { return function.find(word) != std::string::npos; };
-      const bool is_main = (names("dynamics") && !names("second_derivatives")) || function == "joint_space_inertia";
+      const bool is_main = (names("dynamics") && !names("second_derivatives") && !names("path_dynamics")) ||
+                           function == "joint_space_inertia";
       EXPECT_LE(parametric_cost, (is_main ? kMaxRatio : kMaxRatioOfOthers) * constant_cost + kAlways)
           << name << " " << function;
     }
