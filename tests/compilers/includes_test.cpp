@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"algorithm",
      "std::adjacent_find std::all_of std::any_of std::binary_search std::clamp std::copy std::copy_if std::count "
-     "std::count_if std::equal std::find std::find_first_of std::find_if std::find_if_not std::for_each std::is_sorted "
+     "std::count_if std::equal std::fill std::find std::find_first_of std::find_if std::find_if_not std::for_each "
+     "std::is_sorted "
      "std::lower_bound "
      "std::max std::max_element std::min std::min_element std::minmax std::mismatch std::none_of std::nth_element "
      "std::remove_if std::replace std::reverse std::rotate std::search std::set_intersection "
@@ -33,7 +34,8 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"atomic", "std::atomic"},
     {"bit", "std::bit_cast std::bit_ceil std::bit_width std::countr_zero std::has_single_bit"},
     {"cassert", "assert"},
-    {"cctype", "std::isalnum std::isalpha std::islower std::isprint std::isspace std::isupper std::tolower std::toupper"},
+    {"cctype",
+     "std::isalnum std::isalpha std::islower std::isprint std::isspace std::isupper std::tolower std::toupper"},
     {"cerrno", "errno"},
     {"charconv", "std::chars_format std::from_chars std::to_chars"},
     {"cmath",

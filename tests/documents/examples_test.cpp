@@ -96,13 +96,15 @@ TEST(Examples, OfDerivativesCompile) {
   generate(
       folder, robots +
                   "hyl_parametric/hyl_parametric.kindsl --name leg --effort 0 --algorithms inverse_dynamics "
-                  "--derivatives inverse_dynamics:q,parameters");
+                  "--derivatives inverse_dynamics:q,parameters --gradients forward_dynamics:q,qd,tau --tangents "
+                  "inverse_dynamics:q,qd forward_dynamics_gradient_q_qd_tau:q");
   std::string text =
       "#include <leg/leg.h>\nvoid calls(const leg::Parameters<double>& parameters, leg::JointState q) {\n"
-      "const leg::JointState qd = q, qdd = q;\n";
+      "const leg::JointState qd = q, qdd = q, tau = q, weights = q, q_tangent = q, qd_tangent = q;\n";
   for (const CodeBlock& block : code_blocks(read_text(source_folder() / "cmake/README.md")))
     if (block.language == "cpp" && block.section == "Derivatives")
       text += block.text + "static_cast<void>(d.tau), d.d_q, d.d_parameters;\n";
+  text += "static_cast<void>(g.qdd), g.d_q, g.d_qd, g.d_tau, t.tau, t.tau_tangent;\n";
   EXPECT_NE(text.find("d.tau"), std::string::npos) << text;
   expect_to_compile(folder, text + "}\n", "-Wno-unused-value");
   if (!testing::Test::HasFailure()) fs::remove_all(folder);

@@ -280,8 +280,12 @@ int main(int argc, char** argv) {
   using namespace robcogen::oracles;
   testing::InitGoogleTest(&argc, argv);
   std::set<path> files(argv + 1, argv + argc);
-  for (const auto& entry : std::filesystem::directory_iterator(path(TEST_SOURCE_DIR) / "mjcf_loops"))
-    if (entry.path().extension() == ".xml") files.insert(entry.path());
+  // A minute for each document of the folder `slow`.
+  std::vector<path> folders = {path(TEST_SOURCE_DIR) / "mjcf_loops"};
+  if (ROBCOGEN_TEST_EVERYTHING) folders.push_back(folders.front() / "slow");
+  for (const path& folder : folders)
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".xml") files.insert(entry.path());
   for (const path& file : files)
     testing::RegisterTest(
         "mjcf_loops", file.stem().c_str(), nullptr, nullptr, __FILE__, __LINE__,

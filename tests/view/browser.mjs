@@ -50,7 +50,11 @@ export async function startBrowser(program) {
     const ended = new Promise((done) => browser.on("exit", done));
     if (browser.exitCode === null) browser.kill("SIGKILL");
     await ended;
-    rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+    try {
+      rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+    } catch (error) {
+      console.log(`${folder} remains: ${error.code}`);  // Chromium still writes to it
+    }
   };
   return { send, stop, listen: (listener) => listeners.push(listener) };
 }

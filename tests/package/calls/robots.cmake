@@ -193,7 +193,7 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)
 robcogen_add_robot(TARGET double MODEL hyl.kindsl)
 
 #### unknown_algorithm
-# robcogen_add_robot(TARGET hyl): ALGORITHMS: 'inverse_dynamic' is not one of inverse_dynamics bias_forces passive_forces forward_dynamics joint_space_inertia joint_space_inertia_factor coriolis_matrix inverse_dynamics_derivatives inverse_dynamics_gradient inverse_dynamics_second_derivatives forward_dynamics_derivatives centroidal energy centroidal_bias contacts constrained_forward_dynamics_derivatives operational_space regressor base_regressor energy_regressor slotine_li_regressor transforms jacobians jacobian_references jacobians_with_base jacobian_derivatives all_frames inverse_kinematics velocities accelerations world world_centroidal fused all
+# robcogen_add_robot(TARGET hyl): ALGORITHMS: 'inverse_dynamic' is not one of inverse_dynamics bias_forces passive_forces forward_dynamics joint_space_inertia joint_space_inertia_factor coriolis_matrix control_terms inverse_dynamics_derivatives inverse_dynamics_gradient inverse_dynamics_second_derivatives forward_dynamics_derivatives centroidal energy centroidal_bias contacts constrained_forward_dynamics_derivatives operational_space regressor base_regressor energy_regressor slotine_li_regressor transforms jacobians jacobian_references jacobians_with_base jacobian_derivatives all_frames inverse_kinematics velocities accelerations world world_centroidal fused all
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ALGORITHMS jacobians inverse_dynamic)
 
 #### unknown_keyword

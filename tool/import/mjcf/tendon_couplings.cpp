@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "import/linear_relations.h"
 #include "import/mjcf/describe_loops.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "import/magnitudes.h"
 #include "import/sdf/read.h"
@@ -41,7 +42,8 @@ std::optional<JointType> read_type(const Element& element, const Name& name, Pla
     if (type->value == known_name) return known;
   }
   if (type->value == "gearbox") {
-    diagnostics.error("unsupported-joint", place, fmt::format("joint '{}' is a gearbox, which is not supported", name.text))
+    diagnostics
+        .error("unsupported-joint", place, fmt::format("joint '{}' is a gearbox, which is not supported", name.text))
         .hint = "remove it, and write <mimic joint=\"...\"> into the axis of the joint that the gears drive";
     return std::nullopt;
   }
@@ -115,8 +117,7 @@ class AxisReader {
     read_value(dynamics, "damping", axis_.drive.damping, axis_.places.damping);
     read_value(dynamics, "friction", axis_.drive.friction, axis_.places.friction);
     read_value(dynamics, "spring_stiffness", axis_.drive.stiffness, axis_.places.stiffness);
-    if (!axis_.drive.stiffness.is_zero())
-      read_value(dynamics, "spring_reference", axis_.drive.rest, axis_.places.rest);
+    if (!axis_.drive.stiffness.is_zero()) read_value(dynamics, "spring_reference", axis_.drive.rest, axis_.places.rest);
   }
 
   void read_mimic(const Element& element) {
@@ -148,7 +149,8 @@ model::Quantity read_pitch(const Element& element, const Name& name, ElementRead
       const Number angle_per_distance = reader.number(element, "thread_pitch", Number::rational(1));
       if (!angle_per_distance.is_zero()) return model::Quantity(-Number::rational(1) / angle_per_distance);
       reader.diagnostics().error(
-          "zero-pitch", xml::text_of(*thread).place, fmt::format("the 'thread_pitch' of joint '{}' is zero", name.text));
+          "zero-pitch", xml::text_of(*thread).place,
+          fmt::format("the 'thread_pitch' of joint '{}' is zero", name.text));
     }
   }
   return model::Quantity(reader.number(element, "screw_thread_pitch", Number::rational(1)) / turn);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "support/index.h"
 
@@ -47,7 +48,8 @@ class Connector {
       diagnostics_.error(
           "world-as-child", joint.child.place,
           fmt::format("the child of joint '{}' is attached to the world", joint.name.text));
-    } else if (tree_of(joint.parent_link) == tree_of(joint.child_link) || topology_.parent_joint[at(joint.child_link)] >= 0) {
+    } else if (
+        tree_of(joint.parent_link) == tree_of(joint.child_link) || topology_.parent_joint[at(joint.child_link)] >= 0) {
       topology_.loops.push_back(j);
       trees_[tree_of(joint.child_link)] = tree_of(joint.parent_link);
     } else {
@@ -69,9 +71,9 @@ class Connector {
   }
 
   void choose_root() {
-    const bool has_world = document_.is_static || std::any_of(document_.joints.begin(), document_.joints.end(), [](const Joint& j) {
-                             return j.parent_link == kWorldLink;
-                           });
+    const bool has_world = document_.is_static || std::any_of(
+                                                      document_.joints.begin(), document_.joints.end(),
+                                                      [](const Joint& j) { return j.parent_link == kWorldLink; });
     if (document_.is_static) return;
     int first = has_world ? kWorldLink : -2;
     for (std::size_t l = 0; l < document_.links.size(); ++l) {
@@ -81,7 +83,8 @@ class Connector {
         continue;
       }
       const Name& name = document_.links[l].name;
-      const std::string other = first == kWorldLink ? "the world" : fmt::format("link '{}'", document_.links[at(first)].name.text);
+      const std::string other =
+          first == kWorldLink ? "the world" : fmt::format("link '{}'", document_.links[at(first)].name.text);
       diagnostics_
           .error(
               "two-roots", name.place,
