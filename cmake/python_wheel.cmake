@@ -34,7 +34,7 @@ foreach(library "fmt;libfmt-dev;fmt*" "urdfdom;liburdfdom-dev;urdfdom-[0-9]*" "u
     list(PREPEND texts ${of_sources})
   endif()
   if(NOT texts)
-    message(WARNING "There is no text of the licence of ${name}: add it to the wheel before you publish that")
+    message(WARNING "The licence text of ${name} is missing: add it to the wheel before you publish it")
     continue()
   endif()
   list(GET texts 0 text)

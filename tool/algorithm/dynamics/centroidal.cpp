@@ -172,9 +172,7 @@ Program centroidal_momentum_bias(
     CentroidalAxes axes) {
   CentroidalTrace f(tree, formulation, axes, {State::position, State::velocity}, {State::base_velocity});
   const WholeBody body(f.robot);
-  const std::vector<Expression> at_rest = f.trace.accelerations_at_rest();
-  const LinkMotion base = base_motion(f.in.base_velocity, {}, {});
-  const Forces forces = newton_euler_forces(f.robot, base, f.in.qd, at_rest, nullptr);
+  const Forces forces = forces_of_velocities(f.robot, f.in);
   Force rate = momentum_rate(f.robot, forces.motions, f.in, 0);
   rate.moment -= cross(body.com, rate.linear);
   f.trace.output("bias", Role::value, f.turned(rate));

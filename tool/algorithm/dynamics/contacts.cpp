@@ -52,9 +52,7 @@ Program contact_bias(
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, formulation);
-  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
-  trace.output("bias", Role::value, contact_bias(robot, forces.motions, {}, contacts));
+  trace.output("bias", Role::value, contact_bias(robot, forces_of_velocities(robot, in).motions, {}, contacts));
   return trace.program(name);
 }
 

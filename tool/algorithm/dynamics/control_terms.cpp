@@ -46,9 +46,7 @@ Forces turning_of_axes(const TracedRobot& robot, const Forces& p) {
 std::vector<Expression> rate_along_motion(const TracedRobot& robot, const StateInputs& in, const Forces& p) {
   Trace& trace = robot.trace;
   std::vector<Expression> rate = rates_along_motion(trace, by_rows(trace, p), in);
-  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const LinkMotion base = base_motion(in.base_velocity, {}, {});
-  const std::vector<Expression> coriolis = by_rows(trace, newton_euler_forces(robot, base, in.qd, at_rest, nullptr));
+  const std::vector<Expression> coriolis = by_rows(trace, forces_of_velocities(robot, in));
   for (std::size_t k = 0; k < rate.size(); ++k) rate[k] -= coriolis[k];
   return rate;
 }

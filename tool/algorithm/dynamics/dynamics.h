@@ -145,7 +145,7 @@ symbolic::Program generalized_momentum(
     const Formulation& formulation = {});
 
 // The joint forces along a path q(s) of a robot on a fixed base, tau = a dds/dt^2 + b (ds/dt)^2 + c, without passive
-// forces: q, qd = dq/ds, qdd = d^2q/ds^2 [, gravity] [, external] -> a, b, c.
+// forces: q, qd = dq/ds, qdd = d^2q/ds^2 [, gravity] -> a, b, c.
 symbolic::Program path_dynamics(
     const model::KinematicTree& tree,
     const std::string& name,

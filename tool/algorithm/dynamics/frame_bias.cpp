@@ -43,8 +43,7 @@ symbolic::Program jacobian_with_base_bias(
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q);
-  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const Forces forces = newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
+  const Forces forces = forces_of_velocities(robot, in);
   const Motion in_base = acceleration_of(robot, forces.motions, frames.right);
   const Path to_base = path_between(tree, {frames.left, tree.frames().front()});
   const Matrix3 rotation = walk(trace, to_base, in.q, [](const PathSegment&, const PathPose&) {}).rotation;

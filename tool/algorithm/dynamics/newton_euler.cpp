@@ -102,6 +102,11 @@ Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadIn
   return newton_euler_forces(robot, base_motion(in.base_velocity, {}, loads.gravity), in.qd, at_rest, &loads);
 }
 
+Forces forces_of_velocities(const TracedRobot& robot, const StateInputs& in) {
+  const std::vector<Expression> at_rest = robot.trace.accelerations_at_rest();
+  return newton_euler_forces(robot, base_motion(in.base_velocity, {}, {}), in.qd, at_rest, nullptr);
+}
+
 std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed) {
   std::vector<Expression> missing;
   if (trace.tree.floating_base) {
@@ -146,9 +151,7 @@ Program coriolis_forces(const model::KinematicTree& tree, const std::string& nam
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity, State::base_velocity});
   const TracedRobot robot(trace, in.q, formulation);
-  const std::vector<Expression> at_rest = trace.accelerations_at_rest();
-  const LinkMotion base = base_motion(in.base_velocity, {}, {});
-  return write_forces(trace, name, newton_euler_forces(robot, base, in.qd, at_rest, nullptr));
+  return write_forces(trace, name, forces_of_velocities(robot, in));
 }
 
 Program inverse_dynamics_gradient(

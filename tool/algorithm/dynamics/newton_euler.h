@@ -36,6 +36,9 @@ struct TracedMotion {
 // The forces at zero joint and base acceleration, without passive forces.
 Forces bias_forces(const TracedRobot& robot, const StateInputs& in, const LoadInputs& loads);
 
+// The part of the bias forces that velocities cause, and the motions that go with it.
+Forces forces_of_velocities(const TracedRobot& robot, const StateInputs& in);
+
 // The forces that accelerate the robot: (- base wrench, tau - needed), an element for each row of the joint-space
 // inertia matrix. `tau`: by coordinate.
 std::vector<Expression> missing_forces(Trace& trace, const std::vector<Expression>& tau, const Forces& needed);

@@ -1,7 +1,7 @@
 // Sines, quotients and roots of the functions for GPUs, without branches: included by dialect.h.
 //
-// Sines are those of the runtime: sine_polynomials.h says how they are computed. There is no other way for large
-// angles: the error of sine and cosine is below 1e-7 for angles up to 1e4 rad in float, and below 3e-16 for angles up
+// Sines are those of the runtime: sine_polynomials.h says how they are computed. Large
+// angles are computed in the same way: the error of sine and cosine is below 1e-7 for angles up to 1e4 rad in float, and below 3e-16 for angles up
 // to 1e5 rad in double; it grows beyond.
 #ifndef ROBCOGEN_GPU_SCALAR_H
 #define ROBCOGEN_GPU_SCALAR_H

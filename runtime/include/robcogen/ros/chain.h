@@ -101,10 +101,7 @@ class Chain {
       const std::string& tip,
       const std::vector<std::string>& joints,
       const R& robot = R()) {
-    tables_ = &tables;
-    robot_ = robot;
-    joints_.clear();
-    place_.fill(-1);
+    begin(tables, robot);
     list_links();
     int from = -1;
     for (const auto& [name, frame] : {std::pair<const std::string&, int*>(base, &from), {tip, &tip_}}) {
@@ -134,13 +131,18 @@ class Chain {
       const reflection::Robot& tables,
       const std::vector<std::string>& joints,
       const R& robot = R()) {
+    begin(tables, robot);
+    std::vector<int> all;
+    for (int j = 0; j < kDof; ++j) all.push_back(j);
+    return joints.empty() ? set_order(all) : set_order(all, joints);
+  }
+
+  // Forgets an earlier selection.
+  void begin(const reflection::Robot& tables, const R& robot) {
     tables_ = &tables;
     robot_ = robot;
     joints_.clear();
     place_.fill(-1);
-    std::vector<int> all;
-    for (int j = 0; j < kDof; ++j) all.push_back(j);
-    return joints.empty() ? set_order(all) : set_order(all, joints);
   }
 
   // Lists the links whose pose and Jacobian the library has with respect to the root, or that are fixed to it.
