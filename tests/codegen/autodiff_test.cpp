@@ -10,7 +10,7 @@
 #include "dual.h"
 #include "legs/floating/hopper/kernel/bias_forces.h"
 
-namespace robcogen::test {
+namespace robcogen::test::autodiff_test {
 namespace {
 
 using autodiff::Dual;
@@ -91,4 +91,4 @@ TEST(Autodiff, FloatingBaseKernels) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::autodiff_test

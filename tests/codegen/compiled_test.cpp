@@ -11,7 +11,7 @@
 #include "samples.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::test {
+namespace robcogen::test::compiled_test {
 namespace {
 
 // The compiler may fuse a product into a sum, the interpreter does not: the results differ by a few roundings of terms
@@ -235,4 +235,4 @@ TEST(Compiled, NastyNamesComputeTheSame) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::compiled_test

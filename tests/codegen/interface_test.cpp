@@ -15,7 +15,7 @@
 #include "samples.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::test {
+namespace robcogen::test::interface_test {
 namespace {
 
 using legs::floating::hopper::Robot;
@@ -195,4 +195,4 @@ TEST(Reflection, MissingGroupsAreEmptyTables) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::interface_test

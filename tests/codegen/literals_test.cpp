@@ -7,7 +7,7 @@
 #include "literals/literals.h"
 #include "samples.h"
 
-namespace robcogen::test {
+namespace robcogen::test::literals_test {
 namespace {
 
 TEST(Literals, AreTheSameDoubleInGeneratedCode) {
@@ -21,4 +21,4 @@ TEST(Literals, AreTheSameDoubleInGeneratedCode) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::literals_test

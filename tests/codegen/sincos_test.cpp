@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace robcogen {
+namespace robcogen::sincos_test {
 namespace {
 
 TEST(SinCos, AgreesWithTheStandardLibrary) {
@@ -34,4 +34,4 @@ TEST(SinCos, NotANumberStaysOne) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::sincos_test

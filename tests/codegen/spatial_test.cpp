@@ -7,7 +7,7 @@
 
 #include "robcogen/link_wrenches.h"
 
-namespace robcogen {
+namespace robcogen::spatial_test {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -91,4 +91,4 @@ TEST(LinkWrenches, StandLinkByLinkAndStartAtZero) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::spatial_test

@@ -23,7 +23,7 @@
 #include <iit/robots/parametric_walker/traits.h>
 #include <parametric/parametric_walker/parametric_walker.h>
 
-namespace robcogen::test {
+namespace robcogen::test::fixed_test {
 namespace {
 
 namespace old = iit::FixedWalker;
@@ -338,4 +338,4 @@ TEST(Parameters, OfVersion04) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::fixed_test

@@ -36,7 +36,7 @@ struct TraitSelector<autodiff::Dual> {
 
 }  // namespace iit::rbd::tpl
 
-namespace robcogen::test {
+namespace robcogen::test::floating_test {
 namespace {
 
 using autodiff::Dual;
@@ -229,4 +229,4 @@ TEST_F(FloatingBase, SinglePrecision) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::floating_test

@@ -7,7 +7,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::examples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST(Examples, OfDesignStudiesCompile) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::examples_test

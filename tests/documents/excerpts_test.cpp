@@ -8,7 +8,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::excerpts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST(Excerpts, FaultsAreFound) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::excerpts_test

@@ -11,7 +11,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::gallery_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,4 +50,4 @@ TEST(Gallery, IsWhatTheGeneratorDraws) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::gallery_test

@@ -16,7 +16,7 @@
 #include "language/transforms/document.h"
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::grammar_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST(Grammar, ExamplesOfTheGuideAreDocuments) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::grammar_test

@@ -7,7 +7,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::groups_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -115,4 +115,4 @@ TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::groups_test

@@ -14,7 +14,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::lessons_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,9 +145,12 @@ void follow(const fs::path& lesson) {
   }
 }
 
+// Each lesson compiles a project. The first two are those that every newcomer follows.
 TEST(Lessons, WorkAsWritten) {
-  for (const fs::path& lesson : lessons()) follow(lesson);
-  EXPECT_EQ(lessons().size(), 5U);
+  const std::vector<fs::path> all = lessons();
+  ASSERT_EQ(all.size(), 5U);
+  const std::size_t followed = ROBCOGEN_TEST_EVERYTHING ? all.size() : 2;
+  for (std::size_t i = 0; i < followed; ++i) follow(all[i]);
 }
 
 // The lines of a text without indentation.
@@ -208,4 +211,4 @@ TEST(Lessons, DifferencesAreFound) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::lessons_test

@@ -7,7 +7,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::links_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ TEST(Links, FaultsAreFound) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::links_test

@@ -7,7 +7,7 @@
 
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::listing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,4 +41,4 @@ TEST(Listing, IsWhatTheGeneratorPrints) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::listing_test

@@ -17,7 +17,7 @@
 #include "driver/load.h"
 #include "markdown.h"
 
-namespace robcogen::test {
+namespace robcogen::test::quick_reference_test {
 namespace {
 
 using algorithm::Declaration;
@@ -181,4 +181,4 @@ TEST(Listing, TheQuickReferenceIsThatOfTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::quick_reference_test

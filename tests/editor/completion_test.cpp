@@ -6,7 +6,7 @@
 #include "run_tool.h"
 #include "server/vocabulary.h"
 
-namespace robcogen::test {
+namespace robcogen::test::completion_test {
 namespace {
 
 using Labels = std::vector<std::string>;
@@ -153,4 +153,4 @@ TEST(Vocabulary, OfEachBlockIsKnownToTheParser) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::completion_test

@@ -5,7 +5,7 @@
 #include "client.h"
 #include "goldens.h"
 
-namespace robcogen::test {
+namespace robcogen::test::diagnostics_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST(Diagnostics, NotesBecomeRelatedPlaces) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::diagnostics_test

@@ -1,7 +1,7 @@
 // Frames that arrive in pieces, and broken frames.
 #include "client.h"
 
-namespace robcogen::test {
+namespace robcogen::test::framing_test {
 namespace {
 
 std::vector<Json> greeting() {
@@ -75,4 +75,4 @@ TEST(Framing, ALengthThatIsTooLargeLosesOneMessage) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::framing_test

@@ -6,7 +6,7 @@
 #include "run_tool.h"
 #include "server/vocabulary.h"
 
-namespace robcogen::test {
+namespace robcogen::test::grammars_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST(Grammars, TheExtensionNamesAllLanguagesAndFiles) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::grammars_test

@@ -4,7 +4,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::hover_test {
 namespace {
 
 std::string hover(Client& client, const std::string& uri, const std::string& word) {
@@ -179,4 +179,4 @@ TEST(Hover, OfFramesOfMotions) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::hover_test

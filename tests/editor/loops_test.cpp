@@ -1,7 +1,7 @@
 // Editor features for the joints that close loops, and for couplings.
 #include "client.h"
 
-namespace robcogen::test {
+namespace robcogen::test::loops_test {
 namespace {
 
 const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
@@ -76,4 +76,4 @@ TEST(Couplings, HaveUnits) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::loops_test

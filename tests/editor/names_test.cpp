@@ -2,7 +2,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::names_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -293,4 +293,4 @@ TEST(Outline, SurvivesCirclesAndDepth) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::names_test

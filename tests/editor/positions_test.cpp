@@ -7,7 +7,7 @@
 #include <locale>
 #include <random>
 
-namespace robcogen::server {
+namespace robcogen::server::positions_test {
 namespace {
 
 std::u16string units_of(const std::string& text) {
@@ -68,4 +68,4 @@ TEST(Positions, BeyondTheTextAreItsEnds) {
 }
 
 }  // namespace
-}  // namespace robcogen::server
+}  // namespace robcogen::server::positions_test

@@ -2,7 +2,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::process_test {
 namespace {
 
 const std::string kBegin = frames({request(1, "initialize"), notification("initialized")});
@@ -35,4 +35,4 @@ TEST(Process, WritesNothingButTheProtocol) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::process_test

@@ -2,7 +2,7 @@
 #include "client.h"
 #include "goldens.h"
 
-namespace robcogen::test {
+namespace robcogen::test::quick_fixes_test {
 namespace {
 
 Json fixes_of(Client& client, const std::string& uri, const Json& range) {
@@ -121,4 +121,4 @@ TEST(QuickFixes, TurnDegreesIntoRadians) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::quick_fixes_test

@@ -2,7 +2,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::session_test {
 namespace {
 
 int error_code(const Json& answer) {
@@ -221,4 +221,4 @@ TEST(Session, DoesNotAskAnEditorThatGivesNoSettings) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::session_test

@@ -5,7 +5,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(Answers, AreQuickOnFiveThousandLines) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::text_test

@@ -3,7 +3,7 @@
 #include "client.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::urdf_test {
 namespace {
 
 const std::string kUrdf = R"(<?xml version="1.0"?>
@@ -131,4 +131,4 @@ TEST_F(Urdf, BrokenTextIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::urdf_test

@@ -11,7 +11,7 @@
 #include "language/common/parse_expression.h"
 #include "language/kinematics/keywords.h"
 
-namespace robcogen {
+namespace robcogen::expression_test {
 namespace {
 
 using model::ParameterKind;
@@ -155,4 +155,4 @@ TEST(ExportedExpression, NamesVariables) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::expression_test

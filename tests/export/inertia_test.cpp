@@ -13,7 +13,7 @@
 #include "robots.h"
 #include "same_physics.h"
 
-namespace robcogen {
+namespace robcogen::inertia_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -144,4 +144,4 @@ TEST(BorderlineInertia, OfNoBodyIsStillRefusedOrWarnedOf) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::inertia_test

@@ -13,7 +13,7 @@
 #include "same_tree.h"
 #include "support/index.h"
 
-namespace robcogen {
+namespace robcogen::joints_test {
 namespace {
 
 using model::KinematicTree;
@@ -292,4 +292,4 @@ TEST(JointsInDocuments, SurviveAUrdf) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::joints_test

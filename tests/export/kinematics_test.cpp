@@ -10,7 +10,7 @@
 #include "robots.h"
 #include "same_tree.h"
 
-namespace robcogen {
+namespace robcogen::kinematics_test {
 namespace {
 
 using model::KinematicTree;
@@ -181,4 +181,4 @@ TEST(ExportedDocument, EscapesKeywords) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::kinematics_test

@@ -7,7 +7,7 @@
 #include "import/parts.h"
 #include "language/kinematics/document.h"
 
-namespace robcogen::test {
+namespace robcogen::test::loops_test {
 namespace {
 
 // A crank, a rod and a rocker; `more` is added to the robot.
@@ -199,4 +199,4 @@ TEST(Loops, OfPartsAreThoseOfEachInstance) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::loops_test

@@ -9,7 +9,7 @@
 #include "robots.h"
 #include "urdf_reader.h"
 
-namespace robcogen {
+namespace robcogen::oracle_test {
 namespace {
 
 using model::Frame;
@@ -115,4 +115,4 @@ TEST(ExportedUrdf, OfRandomRobotsIsTheSameForAnIndependentReader) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::oracle_test

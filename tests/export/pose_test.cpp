@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace robcogen::exporting {
+namespace robcogen::exporting::pose_test {
 namespace {
 
 using Rotation = Eigen::Matrix<Real, 3, 3>;
@@ -151,4 +151,4 @@ TEST(Pose, OfQuarterTurnsMovesPointsExactly) {
 }
 
 }  // namespace
-}  // namespace robcogen::exporting
+}  // namespace robcogen::exporting::pose_test

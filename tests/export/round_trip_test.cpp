@@ -15,7 +15,7 @@
 #include "same_physics.h"
 #include "urdf_reader.h"
 
-namespace robcogen {
+namespace robcogen::round_trip_test {
 namespace {
 
 using model::JointLimits;
@@ -274,4 +274,4 @@ TEST_F(Models, AreTheSameForAnIndependentReader) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::round_trip_test

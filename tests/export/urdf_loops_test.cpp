@@ -10,7 +10,7 @@
 #include "robcogen/reference/loops.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::urdf_loops_test {
 namespace {
 
 using model::KinematicTree;
@@ -142,4 +142,4 @@ TEST(UrdfCouplings, AreSumsAlongPaths) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::urdf_loops_test

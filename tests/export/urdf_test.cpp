@@ -10,7 +10,7 @@
 #include "robots.h"
 #include "urdf_reader.h"
 
-namespace robcogen {
+namespace robcogen::urdf_test {
 namespace {
 
 using model::KinematicTree;
@@ -279,4 +279,4 @@ TEST(Urdf, OfALoneBaseIsALink) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::urdf_test

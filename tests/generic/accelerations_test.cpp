@@ -6,7 +6,7 @@
 #include "robcogen/generic/all_joints.h"
 #include "tiny_robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::accelerations_test {
 namespace {
 
 static_assert(AccelerationsOf<Eigen::Vector2d, Fixed>);
@@ -102,4 +102,4 @@ TEST(Accelerations, OfAllJointsMoveAllJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::accelerations_test

@@ -4,7 +4,7 @@
 #include <four_bar_leg/four_bar_leg.h>
 #include <gtest/gtest.h>
 
-namespace robcogen::test {
+namespace robcogen::test::all_joints_test {
 namespace {
 
 using Robot = four_bar_leg::Robot;
@@ -39,4 +39,4 @@ TEST(AllJoints, MoveLikeTheCoordinates) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::all_joints_test

@@ -6,7 +6,7 @@
 #include "robcogen/generic/simulation.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::allocation_test {
 namespace {
 
 template <class Case>
@@ -67,4 +67,4 @@ TEST(Allocation, OfInverseKinematics) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::allocation_test

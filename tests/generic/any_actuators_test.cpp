@@ -7,7 +7,7 @@
 #include "message_of.h"
 #include "robcogen/any_robot.h"
 
-namespace robcogen::test {
+namespace robcogen::test::any_actuators_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -67,4 +67,4 @@ TEST(AnyActuators, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::any_actuators_test

@@ -10,7 +10,7 @@
 #include "message_of.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::any_robot_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -23,7 +23,11 @@ struct HylParametric {
 
 template <class Case>
 class Any : public ::testing::Test {};
+#if ROBCOGEN_TEST_EVERYTHING
 using Robots = ::testing::Types<Hyl, Puma560, Quadruped, Torso, HylParametric>;
+#else
+using Robots = ::testing::Types<Torso, HylParametric>;
+#endif
 TYPED_TEST_SUITE(Any, Robots);
 
 VectorXd random_vector(std::mt19937_64& engine, int size) {
@@ -251,4 +255,4 @@ TEST(AnyRobot, WritesIntoBlocks) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::any_robot_test

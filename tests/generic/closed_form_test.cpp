@@ -8,7 +8,7 @@
 #include "robcogen/inverse_kinematics.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::closed_form_test {
 namespace {
 
 namespace ik = puma560::inverse_kinematics;
@@ -105,4 +105,4 @@ TEST(ClosedForm, InSinglePrecision) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::closed_form_test

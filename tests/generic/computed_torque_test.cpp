@@ -4,7 +4,7 @@
 #include "robcogen/generic/simulation.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::computed_torque_test {
 namespace {
 
 template <class Case>
@@ -53,4 +53,4 @@ TYPED_TEST(ComputedTorque, ErrorsDecayAsThePolesSay) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::computed_torque_test

@@ -3,7 +3,7 @@
 
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::concepts_test {
 namespace {
 
 static_assert(FixedBaseRobot<hyl::Robot> && FixedBaseRobot<puma560::Robot>);
@@ -60,4 +60,4 @@ TEST(Concepts, ChooseAmongOverloads) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::concepts_test

@@ -9,7 +9,7 @@
 
 #include "poses.h"
 
-namespace robcogen::test {
+namespace robcogen::test::conversions_test {
 namespace {
 
 constexpr double kRounding = 1e-13;  // some rotations of velocities of about ten
@@ -255,4 +255,4 @@ TEST(JointNames, ThatDoNotMatchAreRefused) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::conversions_test

@@ -4,7 +4,7 @@
 #include "robcogen/generic/simulation.h"
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::external_forces_test {
 namespace {
 
 template <class Case>
@@ -49,4 +49,4 @@ TYPED_TEST(ExternalForces, AreFollowed) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::external_forces_test

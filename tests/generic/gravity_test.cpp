@@ -6,7 +6,7 @@
 #include <quadruped/batch.h>
 #endif
 
-namespace robcogen::test {
+namespace robcogen::test::gravity_test {
 namespace {
 
 // True if the function can be called with these arguments.
@@ -55,7 +55,11 @@ constexpr int callable() {
 
 template <class R>
 class Gravities : public ::testing::Test {};
+#if ROBCOGEN_TEST_EVERYTHING
 using Robots = ::testing::Types<hyl::Robot, hyl::f32::Robot, quadruped::Robot, quadruped::f32::Robot, torso::Robot>;
+#else
+using Robots = ::testing::Types<hyl::Robot, quadruped::f32::Robot>;
+#endif
 TYPED_TEST_SUITE(Gravities, Robots);
 
 TYPED_TEST(Gravities, AreAskedForWhereTheBaseFloats) {
@@ -90,4 +94,4 @@ TEST(ManyStates, TakeGravityWhereTheBaseFloats) {
 #endif
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::gravity_test

@@ -3,7 +3,7 @@
 
 #include "poses.h"
 
-namespace robcogen::test {
+namespace robcogen::test::pose_derivatives_test {
 namespace {
 
 using Real = long double;
@@ -112,4 +112,4 @@ TEST(Accelerations, ClassicalIsOfTheOrigin) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::pose_derivatives_test

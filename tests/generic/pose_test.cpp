@@ -9,7 +9,7 @@
 
 #include "poses.h"
 
-namespace robcogen::test {
+namespace robcogen::test::pose_test {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d, Eigen::Vector4d;
@@ -195,4 +195,4 @@ TEST(Integrate, SinglePrecisionKeepsItsDigits) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::pose_test

@@ -34,8 +34,13 @@ struct Torso {
   static const reflection::Robot& tables() { return torso::reflection::robot; }
 };
 
+#if ROBCOGEN_TEST_EVERYTHING
 using AllRobots = ::testing::Types<Hyl, Puma560, Quadruped, Torso>;
 using FloatingRobots = ::testing::Types<Quadruped, Torso>;
+#else
+using AllRobots = ::testing::Types<Hyl, Torso>;
+using FloatingRobots = ::testing::Types<Torso>;
+#endif
 
 template <class JointState>
 JointState uniform_joints(std::mt19937_64& engine, double limit) {

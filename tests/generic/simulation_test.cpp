@@ -3,7 +3,7 @@
 
 #include "robots.h"
 
-namespace robcogen::test {
+namespace robcogen::test::simulation_test {
 namespace {
 
 template <class R>
@@ -166,4 +166,4 @@ TEST(SemiImplicitEuler, TurnsByTheAngularVelocity) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::simulation_test

@@ -8,7 +8,7 @@
 #include "import/identifier.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::content_test {
 namespace {
 
 using model::KinematicTree;
@@ -475,4 +475,4 @@ TEST(Urdf, TextThatIsTooLargeIsRefused) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::content_test

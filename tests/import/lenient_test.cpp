@@ -1,7 +1,7 @@
 // URDFs that say less than the format asks for, or say it in another way.
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::lenient_test {
 namespace {
 
 // A base and an arm that turns about z. `head` is the opening tag of the robot; `more` is added to its end.
@@ -44,4 +44,4 @@ TEST(LenientUrdf, InertialWithoutMassOfAFixedBaseIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::lenient_test

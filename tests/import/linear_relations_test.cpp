@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace robcogen::import::from_urdf {
+namespace robcogen::import::from_urdf::linear_relations_test {
 namespace {
 
 LinearRelation relation(const std::vector<int>& factors) {
@@ -88,4 +88,4 @@ TEST(LinearRelations, SumsOfFollowersImplyTheRelations) {
 }
 
 }  // namespace
-}  // namespace robcogen::import::from_urdf
+}  // namespace robcogen::import::from_urdf::linear_relations_test

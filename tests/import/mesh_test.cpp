@@ -8,7 +8,7 @@
 
 #include "import/mjcf/solid.h"
 
-namespace robcogen::import::from_mjcf {
+namespace robcogen::import::from_mjcf::mesh_test {
 namespace {
 
 constexpr double kRounding = 1e-14;
@@ -181,4 +181,4 @@ TEST(Meshes, ShellsHaveTheirMassOnTheSurface) {
 }
 
 }  // namespace
-}  // namespace robcogen::import::from_mjcf
+}  // namespace robcogen::import::from_mjcf::mesh_test

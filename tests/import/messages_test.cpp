@@ -3,7 +3,7 @@
 #include "import/urdf/document.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -66,4 +66,4 @@ TEST(Messages, QuoteUrdfdom) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::messages_test

@@ -13,7 +13,7 @@
 #include "import/mjcf.h"
 #include "language/kinematics/document.h"
 
-namespace robcogen {
+namespace robcogen::mjcf_content_test {
 namespace {
 
 model::KinematicTree tree_of(const std::string& text) {
@@ -528,4 +528,4 @@ TEST(Mjcf, EqualitiesOfFixedTendonsAreCouplings) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::mjcf_content_test

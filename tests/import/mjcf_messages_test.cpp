@@ -3,7 +3,7 @@
 #include "import/mjcf.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::mjcf_messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -41,4 +41,4 @@ TEST(MjcfMessages, OfEveryCodeHaveADocument) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::mjcf_messages_test

@@ -11,7 +11,7 @@
 #include "language/kinematics/document.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::names_test {
 namespace {
 
 struct Line {
@@ -298,4 +298,4 @@ TEST(Names, AreReportedOnceForAllPlaces) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::names_test

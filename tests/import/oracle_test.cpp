@@ -13,7 +13,7 @@
 #include "reading.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen {
+namespace robcogen::oracle_test {
 namespace {
 
 using Eigen::Isometry3d;
@@ -302,4 +302,4 @@ INSTANTIATE_TEST_SUITE_P(Base, Models, testing::Bool(), [](const auto& base) {
 });
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::oracle_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace robcogen::import {
+namespace robcogen::import::pose_test {
 namespace {
 
 Number decimal(const char* text) {
@@ -174,4 +174,4 @@ TEST(Pose, TurnsZToAnyAxis) {
 }
 
 }  // namespace
-}  // namespace robcogen::import
+}  // namespace robcogen::import::pose_test

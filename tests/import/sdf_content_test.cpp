@@ -13,7 +13,7 @@
 #include "language/kinematics/document.h"
 #include "model/compound.h"
 
-namespace robcogen {
+namespace robcogen::sdf_content_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -295,4 +295,4 @@ TEST(Sdf, AnglesAreSnapped) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::sdf_content_test

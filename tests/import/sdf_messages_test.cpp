@@ -3,7 +3,7 @@
 #include "import/sdf.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::sdf_messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -42,4 +42,4 @@ TEST(SdfMessages, OfEveryCodeHaveADocument) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::sdf_messages_test

@@ -7,7 +7,7 @@
 
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::corpus_test {
 namespace {
 
 using std::filesystem::path;
@@ -181,4 +181,4 @@ TEST_F(CorpusText, HasThePairsThatPatternsFind) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::corpus_test

@@ -3,7 +3,7 @@
 
 #include "desired_cursor.h"
 
-namespace robcogen::language::desired {
+namespace robcogen::language::desired::desired_frame_test {
 namespace {
 
 using test::DesiredText;
@@ -45,4 +45,4 @@ TEST(DesiredFrame, MayBeCalledAsASection) {
 }
 
 }  // namespace
-}  // namespace robcogen::language::desired
+}  // namespace robcogen::language::desired::desired_frame_test

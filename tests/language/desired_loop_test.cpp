@@ -3,7 +3,7 @@
 
 #include "desired_cursor.h"
 
-namespace robcogen::language::desired {
+namespace robcogen::language::desired::desired_loop_test {
 namespace {
 
 using test::Codes;
@@ -47,4 +47,4 @@ TEST(DesiredLoop, IsReadBehindAnErrorInItsInstances) {
 }
 
 }  // namespace
-}  // namespace robcogen::language::desired
+}  // namespace robcogen::language::desired::desired_loop_test

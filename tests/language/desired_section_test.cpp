@@ -5,7 +5,7 @@
 
 #include "desired_cursor.h"
 
-namespace robcogen::language::desired {
+namespace robcogen::language::desired::desired_section_test {
 namespace {
 
 using test::Codes;
@@ -78,4 +78,4 @@ TEST(DesiredSection, ReadsPairsBehindAnError) {
 }
 
 }  // namespace
-}  // namespace robcogen::language::desired
+}  // namespace robcogen::language::desired::desired_section_test

@@ -3,7 +3,7 @@
 
 #include "reading.h"
 
-namespace robcogen::language::desired {
+namespace robcogen::language::desired::desired_test {
 namespace {
 
 using test::Codes;
@@ -240,4 +240,4 @@ TEST(Desired, MayBePrintedAfterErrors) {
 }
 
 }  // namespace
-}  // namespace robcogen::language::desired
+}  // namespace robcogen::language::desired::desired_test

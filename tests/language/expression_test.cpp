@@ -5,7 +5,7 @@
 #include "language/kinematics/keywords.h"
 #include "reading.h"
 
-namespace robcogen::language {
+namespace robcogen::language::expression_test {
 namespace {
 
 using test::Codes;
@@ -260,4 +260,4 @@ TEST(Expression, DiffersInEveryPart) {
 }
 
 }  // namespace
-}  // namespace robcogen::language
+}  // namespace robcogen::language::expression_test

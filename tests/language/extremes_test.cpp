@@ -3,7 +3,7 @@
 
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::extremes_test {
 namespace {
 
 using test::Codes;
@@ -132,4 +132,4 @@ TEST(Extremes, AHundredThousandLinks) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::extremes_test

@@ -1,7 +1,7 @@
 // Motion-DSL and Transforms-DSL documents: how each construct is parsed.
 #include "reading.h"
 
-namespace robcogen::language {
+namespace robcogen::language::frames_test {
 namespace {
 
 std::string text(const ExpressionPtr& e) {
@@ -131,4 +131,4 @@ TEST(Transforms, GroupsOfParametersAreDeclaredInTheHeader) {
 }
 
 }  // namespace
-}  // namespace robcogen::language
+}  // namespace robcogen::language::frames_test

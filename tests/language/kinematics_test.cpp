@@ -3,7 +3,7 @@
 
 #include "reading.h"
 
-namespace robcogen::language::kinematics {
+namespace robcogen::language::kinematics::kinematics_test {
 namespace {
 
 using test::Codes;
@@ -329,4 +329,4 @@ TEST(Kinematics, MayBePrintedAfterErrors) {
 }
 
 }  // namespace
-}  // namespace robcogen::language::kinematics
+}  // namespace robcogen::language::kinematics::kinematics_test

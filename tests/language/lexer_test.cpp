@@ -2,7 +2,7 @@
 
 #include "reading.h"
 
-namespace robcogen::language {
+namespace robcogen::language::lexer_test {
 namespace {
 
 using std::string_literals::operator""s;
@@ -100,4 +100,4 @@ TEST(Lexer, CutsNamesWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace robcogen::language
+}  // namespace robcogen::language::lexer_test

@@ -3,7 +3,7 @@
 #include "language/kinematics/original.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -83,4 +83,4 @@ TEST(Golden, RefusesMarkersThatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::messages_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace robcogen::language {
+namespace robcogen::language::text_pieces_test {
 namespace {
 
 // The text without its bar, and the bar's position: npos if there is none.
@@ -85,4 +85,4 @@ TEST(TextPieces, RunsOfStrayBytesEndBeforeTokens) {
 }
 
 }  // namespace
-}  // namespace robcogen::language
+}  // namespace robcogen::language::text_pieces_test

@@ -9,7 +9,7 @@
 
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::corpus_test {
 namespace {
 
 using model::KinematicTree;
@@ -212,4 +212,4 @@ TEST_F(Corpus, ResolvesItsDesiredTransforms) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::corpus_test

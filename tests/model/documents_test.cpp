@@ -6,7 +6,7 @@
 
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::documents_test {
 namespace {
 
 using model::KinematicTree;
@@ -266,4 +266,4 @@ TEST(Documents, KnowWhatInstancesHaveBecome) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::documents_test

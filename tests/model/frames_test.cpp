@@ -11,7 +11,7 @@
 #include "export/frames.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::frames_test {
 namespace {
 
 using model::CoordinateTransform;
@@ -242,4 +242,4 @@ TEST(FrameDocuments, OfRobotsAreTheirMotions) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::frames_test

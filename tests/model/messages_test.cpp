@@ -3,7 +3,7 @@
 #include "import/frames.h"
 #include "reading.h"
 
-namespace robcogen {
+namespace robcogen::messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -104,4 +104,4 @@ TEST(Messages, ThatAStrictReadingMakesErrorsAreThoseOfTheList) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::messages_test

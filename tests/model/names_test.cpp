@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::import {
+namespace robcogen::import::names_test {
 namespace {
 
 TEST(Names, DifferByASlipInsideAWord) {
@@ -43,4 +43,4 @@ TEST(Names, ThatTellThingsApartDoNot) {
 }
 
 }  // namespace
-}  // namespace robcogen::import
+}  // namespace robcogen::import::names_test

@@ -17,7 +17,7 @@
 #include "symbolic/interpret.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::accuracy_test {
 namespace {
 
 using model::KinematicTree;
@@ -307,7 +307,7 @@ class IllRobots : public testing::TestWithParam<int> {};
 
 TEST_P(IllRobots, LoseNoMoreDigitsThanThePlainRecursions) {
   const int only = volume("ROBCOGEN_TEST_ILL_SEED", 0);
-  const int count = only > 0 ? only + 1 : volume("ROBCOGEN_TEST_ILL_ROBOTS", 20);
+  const int count = only > 0 ? only + 1 : volume("ROBCOGEN_TEST_ILL_ROBOTS", 10);
   for (int i = GetParam(); i < count; i += kShards) {
     if (only > 0 && i != only) continue;
     expect_digits(ill_robot(static_cast<std::uint64_t>(i)), static_cast<std::uint64_t>(i));
@@ -325,7 +325,7 @@ KinematicTree ill_robot_with_spherical_joints(std::uint64_t seed) {
 class IllRobotsWithSphericalJoints : public testing::TestWithParam<int> {};
 
 TEST_P(IllRobotsWithSphericalJoints, LoseNoMoreDigitsThanThePlainRecursions) {
-  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 20) / 2;
+  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 10) / 2;
   for (int i = GetParam(); i < count; i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     expect_digits(ill_robot_with_spherical_joints(seed), seed);
@@ -337,7 +337,7 @@ INSTANTIATE_TEST_SUITE_P(Shard, IllRobotsWithSphericalJoints, testing::Range(0, 
 class IllRobotsWithRotors : public testing::TestWithParam<int> {};
 
 TEST_P(IllRobotsWithRotors, LoseNoMoreDigitsThanThePlainRecursions) {
-  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 20) / 2;
+  const int count = volume("ROBCOGEN_TEST_ILL_ROBOTS", 10) / 2;
   for (int i = GetParam(); i < count; i += kShards) {
     const auto seed = static_cast<std::uint64_t>(i);
     expect_digits(with_ill_rotors(ill_robot(seed), seed), seed);
@@ -354,4 +354,4 @@ TEST(IllRobotsOfOld, LoseNoMoreDigitsThanThePlainRecursions) {
 INSTANTIATE_TEST_SUITE_P(Shard, IllRobots, testing::Range(0, kShards));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::accuracy_test

@@ -6,7 +6,7 @@
 #include "language/kinematics/document.h"
 #include "robcogen/reference/samples.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::branches_test {
 namespace {
 
 std::string number(double x) {
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::branches_test

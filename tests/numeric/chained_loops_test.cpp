@@ -5,7 +5,7 @@
 #include "document_tree.h"
 #include "interpreted_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::chained_loops_test {
 namespace {
 
 using model::KinematicTree;
@@ -76,4 +76,4 @@ TEST(LoopsThatWaitForOneAnother, CloseTogether) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::chained_loops_test

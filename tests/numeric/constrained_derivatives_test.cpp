@@ -19,7 +19,7 @@
 #include "symbolic/interpret.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::constrained_derivatives_test {
 namespace {
 
 using algorithm::ContactFrames;
@@ -254,4 +254,4 @@ TEST(ConstrainedDerivatives, ByForcesAndContactAccelerationsAreSymmetric) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::constrained_derivatives_test

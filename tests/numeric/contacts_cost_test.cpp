@@ -11,7 +11,7 @@
 #include "driver/driver.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::contacts_cost_test {
 namespace {
 
 // Returns the number of multiplications and additions of each function.
@@ -48,4 +48,4 @@ TEST(ContactsCost, GrowsWithTheContacts) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::contacts_cost_test

@@ -11,7 +11,7 @@
 #include "import/parts.h"
 #include "interpreted_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::corpus_test {
 namespace {
 
 using std::filesystem::path;
@@ -94,4 +94,4 @@ TEST_F(Corpus, DesiredTransformsAgreeWithTheReference) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::corpus_test

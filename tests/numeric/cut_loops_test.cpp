@@ -10,7 +10,7 @@
 #include "ring_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::cut_loops_test {
 namespace {
 
 using reference::Real;
@@ -143,4 +143,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& mechanism) { return mechanism.param.name; });
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::cut_loops_test

@@ -15,7 +15,7 @@
 #include "spherical_robot.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::derivative_identities_test {
 namespace {
 
 using algorithm::Loads;
@@ -426,4 +426,4 @@ TEST(DerivativeIdentities, AgreeWithTheReferenceAlongEveryCoordinate) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::derivative_identities_test

@@ -12,7 +12,7 @@
 #include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::derivatives_test {
 namespace {
 
 using algorithm::Loads;
@@ -358,4 +358,4 @@ TEST(Derivatives, OfEveryFunctionByEveryInput) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::derivatives_test

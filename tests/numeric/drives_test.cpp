@@ -7,7 +7,7 @@
 #include "random_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::drives_test {
 namespace {
 
 using model::KinematicTree;
@@ -186,4 +186,4 @@ TEST(DriveDynamics, BalanceEnergy) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::drives_test

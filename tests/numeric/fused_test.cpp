@@ -17,7 +17,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::fused_test {
 namespace {
 
 using model::KinematicTree;
@@ -146,4 +146,4 @@ TEST(FusedRobots, HaveTheResultsOfTheirParts) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::fused_test

@@ -10,7 +10,7 @@
 #include "rewritten_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::invariance_test {
 namespace {
 
 using model::KinematicTree;
@@ -227,4 +227,4 @@ TEST(Invariance, OfWeldedJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::invariance_test

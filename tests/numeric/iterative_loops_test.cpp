@@ -13,7 +13,7 @@
 #include "robcogen/reference/loops.h"
 #include "symbolic/derivative.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::iterative_loops_test {
 namespace {
 
 using reference::Real;
@@ -180,4 +180,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<IterativeRobot>& of) { return of.param.name; });
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::iterative_loops_test

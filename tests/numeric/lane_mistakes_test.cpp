@@ -8,7 +8,7 @@
 #include "pass/passes.h"
 #include "symbolic/text.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::lane_mistakes_test {
 namespace {
 
 using model::KinematicTree;
@@ -106,4 +106,4 @@ TEST(LaneMistakes, LostSignsAreFound) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::lane_mistakes_test

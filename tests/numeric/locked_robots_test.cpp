@@ -27,7 +27,7 @@
 #include "spherical_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::locked_robots_test {
 namespace {
 
 using model::KinematicTree;
@@ -308,4 +308,4 @@ TEST_P(LockedRobots, MoveLikeTheWholeRobotWithLoops) {
 INSTANTIATE_TEST_SUITE_P(Shard, LockedRobots, testing::Range(0, kShards));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::locked_robots_test

@@ -14,7 +14,7 @@
 #include "runge_kutta.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::loop_dynamics_test {
 namespace {
 
 using reference::Matrix;
@@ -260,4 +260,4 @@ TEST(LoopDynamics, CloseLoopsOverTime) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::loop_dynamics_test

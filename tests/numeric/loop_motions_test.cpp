@@ -5,7 +5,7 @@
 #include "interpreted_robot.h"
 #include "runge_kutta.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::loop_motions_test {
 namespace {
 
 using reference::Motion;
@@ -116,4 +116,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& held) { return held.param.name; });
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::loop_motions_test

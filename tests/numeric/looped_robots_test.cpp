@@ -11,7 +11,7 @@
 #include "robcogen/reference/loops.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::looped_robots_test {
 namespace {
 
 using reference::Matrix;
@@ -250,4 +250,4 @@ TEST(LoopedDocuments, NearlyAllClose) {
 INSTANTIATE_TEST_SUITE_P(Shard, LoopedRobots, testing::Range(0, kShards));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::looped_robots_test

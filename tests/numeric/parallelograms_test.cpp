@@ -7,7 +7,7 @@
 #include "ring_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::parallelograms_test {
 namespace {
 
 using reference::Real;
@@ -121,4 +121,4 @@ TEST(ParallelogramsBehindOtherLoops, AreClosedAsOthers) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::parallelograms_test

@@ -12,7 +12,7 @@
 #include "pass/split_parameters.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::parameters_cost_test {
 namespace {
 
 using model::KinematicTree;
@@ -79,4 +79,4 @@ TEST(Parameters, CostLittleOnceTheyAreSplitOff) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::parameters_cost_test

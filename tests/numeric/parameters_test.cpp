@@ -9,7 +9,7 @@
 #include "symbolic/verify.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::parameters_test {
 namespace {
 
 using model::KinematicTree;
@@ -225,4 +225,4 @@ TEST(Parameters, SplitOffChangeNoResult) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::parameters_test

@@ -10,7 +10,7 @@
 #include "symbolic/text.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::passes_test {
 namespace {
 
 using model::KinematicTree;
@@ -34,7 +34,7 @@ std::string text_of(const std::vector<std::string>& passes) {
 }
 
 TEST(Passes, ChangeNoResult) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 30); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 12); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 40000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 10});
     for (const std::vector<std::string>& passes : choices()) {
@@ -74,7 +74,7 @@ algorithm::LinkFrames random_frames(const KinematicTree& robot, std::uint64_t se
 TEST(LinkFrames, ChangeNoResult) {
   std::vector<std::string> physical = all_steps();
   std::erase(physical, "base-parameters");
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 10); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 50000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 10});
     const std::vector<std::string>& steps = i % 3 == 0 ? physical : all_steps();
@@ -91,7 +91,7 @@ TEST(LinkFrames, ChangeNoResult) {
 
 // The frames that the search finds change no result.
 TEST(LinkFrames, ThatAreFoundChangeNoResult) {
-  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 20); ++i) {
+  for (int i = 0; i < volume("ROBCOGEN_TEST_ROBOTS", 10); ++i) {
     const auto seed = static_cast<std::uint64_t>(i) + 51000;
     const KinematicTree robot = random_robot(seed, {.max_joints = 8});
     algorithm::Formulation formulation;
@@ -124,4 +124,4 @@ TEST(Passes, AddNoOperation) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::passes_test

@@ -10,7 +10,7 @@
 #include "rewritten_robot.h"
 #include "robcogen/reference/dynamics.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::random_robot_test {
 namespace {
 
 using model::KinematicTree;
@@ -128,4 +128,4 @@ TEST(RewrittenRobot, IsSound) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::random_robot_test

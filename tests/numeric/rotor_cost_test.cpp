@@ -10,7 +10,7 @@
 #include "support/index.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::rotor_cost_test {
 namespace {
 
 using model::KinematicTree;
@@ -150,4 +150,4 @@ TEST(DriveCosts, ARotorAboutAnyAxisTakesTwentyOperationsWhereAxesAreNormal) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::rotor_cost_test

@@ -5,7 +5,7 @@
 #include "random_drives.h"
 #include "random_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::screws_test {
 namespace {
 
 using model::JointType;
@@ -112,4 +112,4 @@ TEST(Screws, AreSlidesThatFollowHinges) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::screws_test

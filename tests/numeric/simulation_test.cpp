@@ -4,7 +4,7 @@
 #include "interpreted_robot.h"
 #include "random_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::simulation_test {
 namespace {
 
 using model::KinematicTree;
@@ -167,4 +167,4 @@ TEST(Simulation, EnergyAndMomentumOfAFallingRobotAreKept) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::simulation_test

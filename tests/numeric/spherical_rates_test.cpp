@@ -11,7 +11,7 @@
 #include "random_robot.h"
 #include "spherical_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::spherical_rates_test {
 namespace {
 
 using model::KinematicTree;
@@ -278,4 +278,4 @@ TEST_P(SphericalRates, FramesMoveAsTheirPosesDo) {
 INSTANTIATE_TEST_SUITE_P(Robot, SphericalRates, testing::Range(0, kRobots));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::spherical_rates_test

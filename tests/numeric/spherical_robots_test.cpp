@@ -7,7 +7,7 @@
 #include "random_robot.h"
 #include "spherical_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::spherical_robots_test {
 namespace {
 
 using model::KinematicTree;
@@ -227,4 +227,4 @@ TEST_P(SphericalRobots, PassThroughThePolesOfRevoluteJoints) {
 INSTANTIATE_TEST_SUITE_P(Seed, SphericalRobots, testing::Range(0, kRobots));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::spherical_robots_test

@@ -18,7 +18,7 @@
 #include "symbolic/verify.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::text_test {
 namespace {
 
 using model::KinematicTree;
@@ -27,7 +27,7 @@ using symbolic::Program;
 constexpr std::uint64_t kFirstSeed = 50000;
 
 int robots() {
-  return volume("ROBCOGEN_TEST_ROBOTS", 30);
+  return volume("ROBCOGEN_TEST_ROBOTS", 12);
 }
 
 std::map<std::string, Program> programs_of(std::uint64_t seed, const std::vector<std::string>& passes = pass::names()) {
@@ -172,4 +172,4 @@ TEST(Text, OfKernelsComputesAndCountsAsTheProgram) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::text_test

@@ -3,14 +3,6 @@
 
 #include <cstdlib>
 
-#if defined(__has_feature)
-#define ROBCOGEN_SANITIZED __has_feature(address_sanitizer)
-#elif defined(__SANITIZE_ADDRESS__)
-#define ROBCOGEN_SANITIZED 1
-#else
-#define ROBCOGEN_SANITIZED 0
-#endif
-
 namespace robcogen::numeric {
 
 // Returns the environment variable `name` as a positive number, or the default.
@@ -20,9 +12,8 @@ inline int volume(const char* name, int default_value) {
   return number > 0 ? number : default_value;
 }
 
-// With sanitizers a run takes ten times as long, and looks for faults other than wrong numbers.
 inline int robot_count() {
-  return volume("ROBCOGEN_TEST_ROBOTS", ROBCOGEN_SANITIZED ? 100 : 250);
+  return volume("ROBCOGEN_TEST_ROBOTS", 120);
 }
 inline int state_count() {
   return volume("ROBCOGEN_TEST_STATES", 1);

@@ -7,7 +7,7 @@
 #include "allocation_hook.h"
 #include "values.h"
 
-namespace robcogen::test {
+namespace robcogen::test::allocation_test {
 namespace {
 
 using namespace everywhere_fixed;
@@ -32,4 +32,4 @@ TEST(Allocation, UpdatesAndCopiesDoWithout) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::allocation_test

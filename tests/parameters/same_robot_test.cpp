@@ -8,7 +8,7 @@
 
 #include "same_robot.h"
 
-namespace robcogen::test {
+namespace robcogen::test::same_robot_test {
 namespace {
 
 TEST(SameRobot, OthersFixedBase) {
@@ -36,4 +36,4 @@ TEST(SameRobot, OtherNumbers) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::same_robot_test

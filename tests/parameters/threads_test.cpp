@@ -11,7 +11,7 @@
 
 #include "values.h"
 
-namespace robcogen::test {
+namespace robcogen::test::threads_test {
 namespace {
 
 using namespace everywhere_fixed;
@@ -73,4 +73,4 @@ TEST(Threads, AnUpdatedCopyIsHandedOn) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::threads_test

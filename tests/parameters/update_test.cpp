@@ -9,7 +9,7 @@
 
 #include "values.h"
 
-namespace robcogen::test {
+namespace robcogen::test::update_test {
 namespace {
 
 using namespace everywhere_fixed;
@@ -161,4 +161,4 @@ TEST(Update, KinematicsDoNotReadDynamics) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::update_test

@@ -13,7 +13,7 @@
 #include "robcogen/generic/computed_torque.h"
 #include "values.h"
 
-namespace robcogen::test {
+namespace robcogen::test::use_test {
 namespace {
 
 static_assert(FixedBaseRobot<hyl_parametric::Robot> && FixedBaseRobot<everywhere_fixed::Robot>);
@@ -93,4 +93,4 @@ TEST(Use, DerivativesWithRespectToParameters) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::use_test

@@ -7,7 +7,7 @@
 #include "import/kinematics.h"
 #include "import/parts.h"
 
-namespace robcogen {
+namespace robcogen::expand_test {
 namespace {
 
 namespace kinematics = language::kinematics;
@@ -217,4 +217,4 @@ TEST(PlainDocument, RememberWherePartsAreWrittenAndWhoMetThem) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::expand_test

@@ -2,7 +2,7 @@
 // dynamics are the same.
 #include "physics.h"
 
-namespace robcogen {
+namespace robcogen::lump_test {
 namespace {
 
 using namespace test;
@@ -48,4 +48,4 @@ TEST(AttachedRobots, MoveTheSameWithTheirBaseLumpedOrKept) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::lump_test

@@ -4,7 +4,7 @@
 #include "import/kinematics.h"
 #include "import/parts.h"
 
-namespace robcogen {
+namespace robcogen::messages_test {
 namespace {
 
 using std::filesystem::path;
@@ -44,4 +44,4 @@ TEST(Messages, OfEveryCodeHaveADocument) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::messages_test

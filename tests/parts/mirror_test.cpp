@@ -3,7 +3,7 @@
 // their joint positions are equal, or opposite for joints that keep their sense.
 #include "physics.h"
 
-namespace robcogen {
+namespace robcogen::mirror_test {
 namespace {
 
 using namespace test;
@@ -311,4 +311,4 @@ TEST(MirroredParts, AreThemselvesWhenTheyAreMirroredAgain) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::mirror_test

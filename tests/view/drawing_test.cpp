@@ -14,7 +14,7 @@
 #include "symbolic/interpret.h"
 #include "view/canvas.h"
 
-namespace robcogen::test {
+namespace robcogen::test::drawing_test {
 namespace {
 
 std::string drawn(const std::string& name, bool with_pattern) {
@@ -163,4 +163,4 @@ TEST(DrawingText, IsEscaped) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::drawing_test

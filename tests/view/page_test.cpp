@@ -9,7 +9,7 @@
 #include "robots.h"
 #include "view/page_files.h"
 
-namespace robcogen::test {
+namespace robcogen::test::page_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -99,4 +99,4 @@ TEST(Page, OfARobotWithoutDynamics) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::page_test

@@ -7,7 +7,7 @@
 #include "robots.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::test {
+namespace robcogen::test::posture_test {
 namespace {
 
 using reference::Matrix;
@@ -185,4 +185,4 @@ TEST(PostureOfLoops, ClosesThem) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::posture_test

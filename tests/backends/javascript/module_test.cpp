@@ -5,7 +5,7 @@
 
 #include "node.h"
 
-namespace robcogen::test {
+namespace robcogen::test::module_test {
 namespace {
 
 const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
@@ -208,4 +208,4 @@ TEST(JavaScriptText, IsTidy) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::module_test

@@ -5,7 +5,7 @@
 
 #include "../../unit/backend/programs.h"
 
-namespace robcogen::backend {
+namespace robcogen::backend::lua_test {
 namespace {
 
 TEST(Lua, PrintsAFunctionOfALibrary) {
@@ -42,4 +42,4 @@ TEST(Lua, PrintsAFunctionOfALibrary) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend
+}  // namespace robcogen::backend::lua_test

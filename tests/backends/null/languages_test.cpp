@@ -8,7 +8,7 @@
 
 #include "../../codegen/samples.h"
 
-namespace robcogen::backend {
+namespace robcogen::backend::languages_test {
 namespace {
 
 class Languages : public testing::TestWithParam<std::string> {
@@ -77,4 +77,4 @@ TEST(LanguageTable, HasCppFirstAndNamesOnce) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend
+}  // namespace robcogen::backend::languages_test

@@ -6,7 +6,7 @@
 #include "../../unit/backend/programs.h"
 #include "backend/languages.h"
 
-namespace robcogen::backend {
+namespace robcogen::backend::null_test {
 namespace {
 
 const Language kNull = {.name = "null", .takes_transforms = true, .print = null::print};
@@ -17,7 +17,7 @@ TEST(NullBackEnd, ListsTheFunctionsOfALibrary) {
       test::function("energy", "energy", test::leg_program("tmp t = q[0] * qd[1]\nreturn tau t\n")),
       test::function(
           "inertia", "inertia_of_all",
-          test::program("program inertia\n"
+          test::described_program("program inertia\n"
                         "input q joint_position HFE KFE\n"
                         "output H inertia_matrix 2 2\n"
                         "return H 1 0 0 1\n"))};
@@ -35,4 +35,4 @@ TEST(NullBackEnd, HasNothingToSayOfALibraryWithoutFunctions) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend
+}  // namespace robcogen::backend::null_test

@@ -5,7 +5,7 @@
 
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::articulated_body_test {
 namespace {
 
 using namespace test;
@@ -77,4 +77,4 @@ TEST(ArticulatedBody, ABeadOnASpinningBall) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::articulated_body_test

@@ -5,7 +5,7 @@
 #include "algorithm/dynamics/traced_robot.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::base_parameters_test {
 namespace {
 
 using namespace test;
@@ -71,4 +71,4 @@ TEST(Formulation, IsTakenOutOfAListOfNames) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::base_parameters_test

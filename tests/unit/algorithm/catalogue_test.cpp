@@ -12,7 +12,7 @@
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::catalogue_test {
 namespace {
 
 model::KinematicTree robot(bool floating) {
@@ -359,4 +359,4 @@ TEST(RobotPrograms, ParametersAreTheFirstInput) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::catalogue_test

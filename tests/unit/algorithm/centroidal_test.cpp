@@ -4,7 +4,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::centroidal_test {
 namespace {
 
 using namespace test;
@@ -71,4 +71,4 @@ TEST(Centroidal, OfNothingThatMoves) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::centroidal_test

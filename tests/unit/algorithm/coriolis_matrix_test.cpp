@@ -5,7 +5,7 @@
 
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::coriolis_matrix_test {
 namespace {
 
 using namespace test;
@@ -50,4 +50,4 @@ TEST(CoriolisMatrix, StructuralZerosAreLiteral) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::coriolis_matrix_test

@@ -4,7 +4,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::energy_test {
 namespace {
 
 using namespace test;
@@ -46,4 +46,4 @@ TEST(Energy, PotentialGrowsWithHeight) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::energy_test

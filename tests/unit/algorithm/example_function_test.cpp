@@ -9,7 +9,7 @@
 #include "model/descriptions.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::example_function_test {
 namespace {
 
 // ---- algorithm/dynamics/mechanical_power.cpp
@@ -67,4 +67,4 @@ TEST(ExampleFunction, IsTraced) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::example_function_test

@@ -4,7 +4,7 @@
 #include "algorithm/dynamics/dynamics.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::force_derivatives_test {
 namespace {
 
 using namespace test;
@@ -89,4 +89,4 @@ TEST(InverseDynamicsDerivatives, StructuralZerosAreLiteral) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::force_derivatives_test

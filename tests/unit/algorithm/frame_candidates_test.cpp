@@ -5,7 +5,7 @@
 
 #include "random_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::frame_candidates_test {
 namespace {
 
 using namespace test;
@@ -157,4 +157,4 @@ TEST(FrameCandidates, ParametersLeaveNoNumbers) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::frame_candidates_test

@@ -6,7 +6,7 @@
 #include "algorithm/kinematics/kinematics.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::frame_motion_test {
 namespace {
 
 using namespace test;
@@ -78,4 +78,4 @@ TEST_F(FrameMotion, Acceleration) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::frame_motion_test

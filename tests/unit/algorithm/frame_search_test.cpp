@@ -8,7 +8,7 @@
 #include "algorithm/dynamics/traced_robot.h"
 #include "random_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::frame_search_test {
 namespace {
 
 using namespace test;
@@ -173,4 +173,4 @@ TEST(FrameSearch, SearchesCongruentLimbsOnce) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::frame_search_test

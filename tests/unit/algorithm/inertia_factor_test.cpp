@@ -5,7 +5,7 @@
 #include "hand_robots.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::inertia_factor_test {
 namespace {
 
 using namespace test;
@@ -172,4 +172,4 @@ TEST(JointSpaceInertiaFactor, OfAConstantMatrixIsConstant) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::inertia_factor_test

@@ -4,7 +4,7 @@
 #include "bodies.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::joint_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -146,4 +146,4 @@ TEST(JointOfATree, IsThatOfTheModel) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::joint_test

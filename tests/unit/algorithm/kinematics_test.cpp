@@ -11,7 +11,7 @@
 #include "symbolic/verify.h"
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::kinematics_test {
 namespace {
 
 using model::FramePair;
@@ -224,4 +224,4 @@ TEST(KinematicChain, EachJointCostsOneSineAndCosine) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::kinematics_test

@@ -3,7 +3,7 @@
 
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::ldl_test {
 namespace {
 
 TEST(Solve, SymmetricPositiveDefinite) {
@@ -42,4 +42,4 @@ TEST(Solve, ZerosCostNothing) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::ldl_test

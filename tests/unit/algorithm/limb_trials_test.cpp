@@ -5,7 +5,7 @@
 #include "random_robots.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::limb_trials_test {
 namespace {
 
 using namespace test;
@@ -65,4 +65,4 @@ TEST_P(LimbTrialsOf, FramesFarAwayLoseDigits) {
 INSTANTIATE_TEST_SUITE_P(, LimbTrialsOf, testing::Range(0, 4));
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::limb_trials_test

@@ -7,7 +7,7 @@
 #include "algorithm/kinematics/kinematics.h"
 #include "random_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::limb_view_test {
 namespace {
 
 using namespace test;
@@ -92,4 +92,4 @@ TEST_P(LimbViews, FeelTheSameForces) {
 INSTANTIATE_TEST_SUITE_P(, LimbViews, testing::Range(0, 5));
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::limb_view_test

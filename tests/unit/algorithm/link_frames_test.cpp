@@ -9,7 +9,7 @@
 
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::link_frames_test {
 namespace {
 
 using namespace test;
@@ -105,4 +105,4 @@ TEST(AxisPlacement, KeepsAnglesThatAreNearlyRight) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::link_frames_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::merged_primitives_test {
 namespace {
 
 using model::Axis;
@@ -108,4 +108,4 @@ TEST(MergedPrimitives, ConstantsAddUpExactly) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::merged_primitives_test

@@ -3,7 +3,7 @@
 
 #include "bodies.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::newton_euler_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -108,4 +108,4 @@ TEST_P(NewtonEuler, VelocityProductsOfAngularState) {
 INSTANTIATE_TEST_SUITE_P(, NewtonEuler, testing::Range(0, 40));
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::newton_euler_test

@@ -3,7 +3,7 @@
 
 #include "bodies.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::path_pose_test {
 namespace {
 
 using test::kTolerance;
@@ -136,4 +136,4 @@ TEST(CheapestTransform, IsTheCheapestOfTheForms) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::path_pose_test

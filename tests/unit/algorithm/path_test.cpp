@@ -6,7 +6,7 @@
 #include "bodies.h"
 #include "hand_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::path_test {
 namespace {
 
 using namespace test;
@@ -158,4 +158,4 @@ TEST(PathTail, BeginsBehindTheLastRotation) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::path_test

@@ -5,7 +5,7 @@
 #include "model/descriptions.h"
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::planar_loop_test {
 namespace {
 
 using model::test::number;
@@ -152,4 +152,4 @@ TEST(PlanarChain, TurnsAndReachesByGivenJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::planar_loop_test

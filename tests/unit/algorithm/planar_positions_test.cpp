@@ -9,7 +9,7 @@
 
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::planar_positions_test {
 namespace {
 
 using Point = std::complex<double>;
@@ -134,4 +134,4 @@ TEST(OpenLoop, HasNoPositions) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::planar_positions_test

@@ -6,7 +6,7 @@
 #include "model/descriptions.h"
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::pose_test {
 namespace {
 
 using model::Axis;
@@ -207,4 +207,4 @@ TEST_F(PoseOf, JointPosesFollowTheModel) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::pose_test

@@ -8,7 +8,7 @@
 #include "algorithm/dynamics/traced_robot.h"
 #include "random_robots.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::representative_limbs_test {
 namespace {
 
 using namespace test;
@@ -191,4 +191,4 @@ TEST(RepresentativeLimbs, AnyTwoRotationsGetTheSamePlanes) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::representative_limbs_test

@@ -5,7 +5,7 @@
 
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::rotation_test {
 namespace {
 
 using test::flat;
@@ -125,4 +125,4 @@ TEST(Rotation, ASecondConjugationSharesTheDoubledAngle) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::rotation_test

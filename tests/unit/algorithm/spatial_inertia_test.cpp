@@ -9,7 +9,7 @@
 #include "bodies.h"
 #include "symbolic/text.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::spatial_inertia_test {
 namespace {
 
 using test::Cloud;
@@ -87,4 +87,4 @@ TEST(SpatialInertiaNames, AreThoseOfTheElements) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::spatial_inertia_test

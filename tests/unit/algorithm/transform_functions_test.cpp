@@ -10,7 +10,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::transform_functions_test {
 namespace {
 
 using model::Axis;
@@ -263,4 +263,4 @@ TEST(TransformFunctions, AreOneAFormAndATransformUnderItsName) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::transform_functions_test

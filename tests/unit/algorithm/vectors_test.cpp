@@ -3,7 +3,7 @@
 
 #include "values.h"
 
-namespace robcogen::algorithm {
+namespace robcogen::algorithm::vectors_test {
 namespace {
 
 using test::kTolerance;
@@ -45,4 +45,4 @@ TEST(Vectors, MotionsAndForces) {
 }
 
 }  // namespace
-}  // namespace robcogen::algorithm
+}  // namespace robcogen::algorithm::vectors_test

@@ -4,7 +4,7 @@
 
 #include "programs.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::api_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -26,7 +26,7 @@ Function dynamics(const std::string& name, const std::string& kernel, const Name
   for (const std::string& input : inputs) text += "input " + input + " " + roles.at(input) + " HFE KFE\n";
   for (const std::string& output : outputs) text += "output " + output + " " + roles.at(output) + " 2 1\n";
   for (const std::string& output : outputs) text += "return " + output + " 0 0\n";
-  return test::function(name, kernel, test::program(text));
+  return test::function(name, kernel, test::described_program(text));
 }
 
 // `result kernel(type name, …) + standard gravity`, one string for each overload.
@@ -79,10 +79,10 @@ TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
   EXPECT_EQ(result_type(dynamics("f", "f", {"q"}, {"base_wrench"})), "Wrench");
   EXPECT_EQ(
       result_type(test::function(
-          "J", "J", test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"))),
+          "J", "J", test::described_program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"))),
       "Matrix<6, 0>");
   EXPECT_EQ(
-      result_type(test::function("H", "H", test::program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n"))),
+      result_type(test::function("H", "H", test::described_program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n"))),
       "InertiaMatrix");
 }
 
@@ -104,7 +104,7 @@ TEST(Api, ResultsOfSeveralArraysHaveAStructureNamedAfterTheFunction) {
 TEST(Api, FunctionsOfAFactorAreMembersOfItsType) {
   Library library = test::leg_library();
   const auto add = [&](const std::string& name, const std::string& text) {
-    library.functions.push_back(test::function(name, name, test::program("program " + name + "\n" + text)));
+    library.functions.push_back(test::function(name, name, test::described_program("program " + name + "\n" + text)));
   };
   library.functions.clear();
   add("factor",
@@ -187,7 +187,7 @@ TEST(Api, DifferentFunctionsNeverShareAName) {
 TEST(Api, TheColumnsOfAJacobianStandBesideIt) {
   Library library = test::leg_library();
   Function f = test::function(
-      "a_J_b", "a_J_b", test::program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"));
+      "a_J_b", "a_J_b", test::described_program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"));
   f.scope = "jacobians";
   library.functions = {f, f};
   library.functions[1].name = library.functions[1].kernel = "a_J_b_columns";
@@ -197,4 +197,4 @@ TEST(Api, TheColumnsOfAJacobianStandBesideIt) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::api_test

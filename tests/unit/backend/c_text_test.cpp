@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::backend::c_family {
+namespace robcogen::backend::c_family::c_text_test {
 namespace {
 
 TEST(CText, LongCommentsWrapAtBlanks) {
@@ -51,4 +51,4 @@ TEST(CText, FilesSayFromWhichModelTheyAre) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::c_family
+}  // namespace robcogen::backend::c_family::c_text_test

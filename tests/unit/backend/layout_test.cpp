@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::layout_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -44,4 +44,4 @@ TEST(Layout, NamespacesAroundNothingVanish) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::layout_test

@@ -7,11 +7,11 @@
 #include "backend/cpp/lower.h"
 #include "programs.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::lower_blocks_test {
 namespace {
 
 std::string lowered(const std::string& statements, int outputs) {
-  const symbolic::Program program = test::program(
+  const symbolic::Program program = test::described_program(
       "program limbs\n"
       "input q joint_position a0 a1 b0 b1\n"
       "output out value " +
@@ -198,7 +198,7 @@ TEST(LowerBlocks, LongListsGoOnInTheNextLine) {
 
 // The lines of the kernel for small angles; empty if there is none.
 std::string lines_of_small_angles(const std::string& statements) {
-  const symbolic::Program program = test::program(
+  const symbolic::Program program = test::described_program(
       "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n" + statements +
       "return out z\n");
   const std::optional<Kernel> kernel = of_small_angles(lower(program, "limbs"));
@@ -225,4 +225,4 @@ TEST(LowerSmallAngles, AreThoseOfLanesThatAreComputedAlone) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::lower_blocks_test

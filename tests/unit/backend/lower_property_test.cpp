@@ -9,7 +9,7 @@
 #include "symbolic/interpret.h"
 #include "symbolic/verify.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::lower_property_test {
 namespace {
 
 using symbolic::Op;
@@ -116,4 +116,4 @@ TEST(LowerProperty, LongChainsAreLoweredLikeShortOnes) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::lower_property_test

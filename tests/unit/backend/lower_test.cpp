@@ -4,7 +4,7 @@
 
 #include "programs.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::lower_test {
 namespace {
 
 using test::leg_program;
@@ -56,7 +56,7 @@ TEST(Lower, EvaluationOrderIsThatOfTheProgram) {
 }
 
 TEST(Lower, ParametersThatAreReadAreNamedFirst) {
-  const symbolic::Program program = test::program(
+  const symbolic::Program program = test::described_program(
       "program leg\n"
       "input parameters parameters length unused mass q\n"
       "input q joint_position HIP\n"
@@ -222,7 +222,7 @@ TEST(Lower, UnusedParametersAreMarked) {
 
 TEST(Lower, NamesThatTheTextNeedsItselfAreNotTaken) {
   EXPECT_EQ(
-      lowered(test::program("program p\n"
+      lowered(test::described_program("program p\n"
                             "input q joint_position class q\n"
                             "output tau value 1 1\n"
                             "section s \n"
@@ -299,4 +299,4 @@ TEST(Lower, LongNamesAreShortened) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::lower_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::names_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -91,4 +91,4 @@ TEST(NameScope, NamesThatDifferInCaseOnlyAreDifferent) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::names_test

@@ -7,7 +7,7 @@
 #include "backend/cpp/cpp.h"
 #include "programs.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::print_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -96,7 +96,7 @@ Library library_with_kernels() {
   library.functions = {
       test::function(
           "inverse_dynamics", "inverse_dynamics",
-          test::program("program inverse_dynamics\n"
+          test::described_program("program inverse_dynamics\n"
                         "input q joint_position HFE KFE\n"
                         "input qd joint_velocity HFE KFE\n"
                         "output tau joint_force 2 1\n"
@@ -113,7 +113,7 @@ Library library_with_kernels() {
                         "return tau thigh_fx -t2\n")),
       test::function(
           "inverse_dynamics", "inverse_dynamics_gravity",
-          test::program("program inverse_dynamics_gravity\n"
+          test::described_program("program inverse_dynamics_gravity\n"
                         "input q joint_position HFE KFE\n"
                         "input qd joint_velocity HFE KFE\n"
                         "input gravity gravity x y z\n"
@@ -278,4 +278,4 @@ TEST(Print, PrintingIsDeterministic) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::print_test

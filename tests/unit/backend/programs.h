@@ -13,7 +13,7 @@
 namespace robcogen::test {
 
 // Reads a program in text form; all its names count as describing their values.
-inline symbolic::Program program(const std::string& text) {
+inline symbolic::Program described_program(const std::string& text) {
   std::string error;
   std::optional<symbolic::Program> p = symbolic::parse(text, error);
   EXPECT_TRUE(p) << error;
@@ -25,7 +25,7 @@ inline symbolic::Program program(const std::string& text) {
 
 // A program over q and qd of the joints HFE and KFE with one output array `tau`, in the sections `hip` and `knee`.
 inline symbolic::Program leg_program(const std::string& statements, int outputs = 1) {
-  return program(
+  return described_program(
       "program leg\n"
       "input q joint_position HFE KFE\n"
       "input qd joint_velocity HFE KFE\n"

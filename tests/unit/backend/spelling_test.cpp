@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::spelling_test {
 namespace {
 
 using symbolic::Op;
@@ -92,4 +92,4 @@ TEST(Spelling, CallsEncloseWholeExpressions) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::spelling_test

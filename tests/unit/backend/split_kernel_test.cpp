@@ -14,7 +14,7 @@
 #include "random_program.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::backend::cpp {
+namespace robcogen::backend::cpp::split_kernel_test {
 namespace {
 
 using symbolic::Program;
@@ -82,7 +82,7 @@ TEST(SplitKernel, IsOnePartWhereAllLinesFit) {
 // Of three sections, the second joins the first or the third; the first hands more values to the second than the second
 // to the third.
 TEST(SplitKernel, IsCutWhereFewValuesAreLive) {
-  const Program program = test::program(
+  const Program program = test::described_program(
       "program leg\n"
       "input q value a b c\n"
       "output tau value 1 1\n"
@@ -108,7 +108,7 @@ TEST(SplitKernel, IsCutWhereFewValuesAreLive) {
 }
 
 TEST(SplitKernel, NamesParametersWhereTheyAreRead) {
-  const Program program = test::program(
+  const Program program = test::described_program(
       "program leg\n"
       "input parameters parameters length mass\n"
       "input q value a\n"
@@ -130,7 +130,7 @@ TEST(SplitKernel, NamesParametersWhereTheyAreRead) {
 }
 
 TEST(SplitKernel, KeepsLanesInArraysOfTheirOwn) {
-  const Program program = test::program(
+  const Program program = test::described_program(
       "program leg\n"
       "input q value a b\n"
       "output tau value 1 1\n"
@@ -154,7 +154,7 @@ TEST(SplitKernel, KeepsLanesInArraysOfTheirOwn) {
 }
 
 TEST(SplitKernel, LoadsBlocksWhereTheyAreReadAndStoresThem) {
-  const Program program = test::program(
+  const Program program = test::described_program(
       "program limbs\n"
       "input q joint_position a0 a1 b0 b1\n"
       "output out value 4 1\n"
@@ -275,4 +275,4 @@ TEST(SplitKernel, HasPartsOfTheLengthsOfTheLanguage) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend::cpp
+}  // namespace robcogen::backend::cpp::split_kernel_test

@@ -10,7 +10,7 @@
 
 #include "programs.h"
 
-namespace robcogen::backend {
+namespace robcogen::backend::value_names_test {
 namespace {
 
 using symbolic::Program;
@@ -32,7 +32,7 @@ const std::map<std::string, symbolic::Quantity> kQuantities = {
     {"hip_ax", {"hip", "a", "x"}}, {"hip_wx2", {"hip", "wx2"}}};
 
 Program with_quantities(const std::string& statements) {
-  Program p = test::program(kHead + statements);
+  Program p = test::described_program(kHead + statements);
   for (Statement& s : p.statements) {
     s.quantity = nullptr;
     const auto known = kQuantities.find(s.name);
@@ -135,4 +135,4 @@ TEST(ValueNames, AreDistinctAndKeepWhatTheAlgorithmNamed) {
 }
 
 }  // namespace
-}  // namespace robcogen::backend
+}  // namespace robcogen::backend::value_names_test

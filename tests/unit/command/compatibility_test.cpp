@@ -7,7 +7,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::compatibility_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(Compatibility, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::compatibility_test

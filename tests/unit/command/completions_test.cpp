@@ -3,7 +3,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::completions_test {
 namespace {
 
 // Returns what bash offers for a command line, one word per line.
@@ -47,4 +47,4 @@ TEST(Completions, OfZshAreThoseOfBash) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::completions_test

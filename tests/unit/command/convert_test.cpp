@@ -3,7 +3,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::convert_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +210,4 @@ TEST(Convert, UsageFaultsExitWithTwo) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::convert_test

@@ -8,7 +8,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::derivatives_test {
 namespace {
 
 using nlohmann::json;
@@ -389,4 +389,4 @@ TEST(Derivatives, TooLong) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::derivatives_test

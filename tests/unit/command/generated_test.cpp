@@ -3,7 +3,7 @@
 #include "../../golden_test.h"
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::generated_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TEST(GeneratedFiles, AreAllCompared) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::generated_test

@@ -7,7 +7,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::growth_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(Growth, TheInverseOfALargeInertiaMatrixIsALoop) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::growth_test

@@ -6,7 +6,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::help_test {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -122,4 +122,4 @@ TEST(Manual, FormatsWithoutAWarning) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::help_test

@@ -5,7 +5,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::operations_test {
 namespace {
 
 struct Bound {
@@ -171,4 +171,4 @@ TEST(Operations, RobotsWithParameters) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::operations_test

@@ -4,7 +4,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST_F(Outputs, MayBeLinksAndStreams) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::outputs_test

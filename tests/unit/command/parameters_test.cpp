@@ -3,7 +3,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::parameters_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST(Parameters, CostTimeInProportionToTheirNumber) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::parameters_test

@@ -6,7 +6,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::parts_test {
 namespace {
 
 constexpr const char* kUrdf = R"(<?xml version="1.0"?>
@@ -67,4 +67,4 @@ TEST_P(ImportedRobot, AtTheOriginMovesAsByItself) {
 INSTANTIATE_TEST_SUITE_P(As, ImportedRobot, testing::Values("finger.urdf", "finger.xml"));
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::parts_test

@@ -5,7 +5,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::primitives_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST(Primitives, AreNotPrintedUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::primitives_test

@@ -3,7 +3,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::streams_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST_F(Streams, BinaryFilesAreOneError) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::streams_test

@@ -6,7 +6,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::transforms_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ TEST_F(Transforms, AreEvaluated) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::transforms_test

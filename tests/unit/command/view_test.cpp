@@ -3,7 +3,7 @@
 
 #include "run_tool.h"
 
-namespace robcogen::test {
+namespace robcogen::test::view_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ TEST(Draw, NamesWhatItRead) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::view_test

@@ -12,7 +12,7 @@
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::candidates_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(Candidates, OfOneKindAreTriedByTheirWork) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::candidates_test

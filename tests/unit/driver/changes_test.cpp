@@ -11,7 +11,7 @@
 #include "export/kinematics.h"
 #include "language/kinematics/document.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::changes_test {
 namespace {
 
 using namespace test;
@@ -346,4 +346,4 @@ TEST_F(Changes, OfRobotsInUrdf) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::changes_test

@@ -16,7 +16,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::declare_test {
 namespace {
 
 using namespace test;
@@ -158,4 +158,4 @@ TEST(Declare, RefusesRobotsWithThousandsOfJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::declare_test

@@ -4,7 +4,7 @@
 #include "documents.h"
 #include "driver/failure.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::documents_test {
 namespace {
 
 using test::Folder;
@@ -77,4 +77,4 @@ TEST(Documents, ThatAreNotTextFail) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::documents_test

@@ -8,7 +8,7 @@
 #include "documents.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::driver_test {
 namespace {
 
 using namespace test;
@@ -102,4 +102,4 @@ TEST(Driver, TransformsTakeTheSamePath) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::driver_test

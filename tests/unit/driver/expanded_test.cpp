@@ -8,7 +8,7 @@
 #include "driver/driver.h"
 #include "symbolic/text.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::expanded_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST(ExpandedDocument, HasTheProgramsOfTheDocumentWithParts) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::expanded_test

@@ -14,7 +14,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::fused_functions_test {
 namespace {
 
 using namespace test;
@@ -266,4 +266,4 @@ TEST(AllFrames, AreThePosesOfFrames) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::fused_functions_test

@@ -6,7 +6,7 @@
 #include "driver/optimise.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::library_test {
 namespace {
 
 using namespace test;
@@ -82,4 +82,4 @@ TEST(Library, OfADocumentOfTransformsHasNoRobot) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::library_test

@@ -16,7 +16,7 @@
 
 #if READS_URDF
 
-namespace robcogen::driver {
+namespace robcogen::driver::limbs_in_lanes_test {
 namespace {
 
 using namespace test;
@@ -208,6 +208,6 @@ TEST(LimbsInLanes, HaveAReasonIfTheyAreUnlike) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::limbs_in_lanes_test
 
 #endif

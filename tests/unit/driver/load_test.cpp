@@ -10,7 +10,7 @@
 #include "documents.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::load_test {
 namespace {
 
 using namespace test;
@@ -328,4 +328,4 @@ TEST_F(Load, FramesAndPathsOfEitherDocument) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::load_test

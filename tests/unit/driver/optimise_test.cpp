@@ -10,7 +10,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::optimise_test {
 namespace {
 
 using namespace test;
@@ -132,4 +132,4 @@ TEST(Optimise, TransformsAreOptimisedToo) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::optimise_test

@@ -8,7 +8,7 @@
 
 #include "pass/passes.h"
 
-namespace robcogen::driver {
+namespace robcogen::driver::steps_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -60,4 +60,4 @@ TEST(Steps, AreSwitchedOneByOne) {
 }
 
 }  // namespace
-}  // namespace robcogen::driver
+}  // namespace robcogen::driver::steps_test

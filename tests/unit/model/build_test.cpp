@@ -5,7 +5,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::build_test {
 namespace {
 
 using Codes = std::vector<std::string>;
@@ -151,4 +151,4 @@ TEST(BuildLarge, ACycle) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::build_test

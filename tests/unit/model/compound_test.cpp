@@ -7,7 +7,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::compound_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -149,4 +149,4 @@ TEST(Compound, WithoutChildKeepsItsName) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::compound_test

@@ -6,7 +6,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::coordinate_transforms_test {
 namespace {
 
 // Coordinates stay within a few metres through chains of a dozen primitives.
@@ -199,4 +199,4 @@ TEST(TransformBetween, AgreesWithPosesMovedStepByStep) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::coordinate_transforms_test

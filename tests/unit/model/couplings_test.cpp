@@ -6,7 +6,7 @@
 #include "model/rigid_motions.h"
 #include "support/index.h"
 
-namespace robcogen::model {
+namespace robcogen::model::couplings_test {
 namespace {
 
 DescribedCoupling coupling(
@@ -118,4 +118,4 @@ TEST(Couplings, DecideWhetherTheInertiaMatrixIsSingular) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::couplings_test

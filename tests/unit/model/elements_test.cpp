@@ -12,7 +12,7 @@
 
 #include "trees.h"
 
-namespace robcogen::model {
+namespace robcogen::model::elements_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -135,4 +135,4 @@ TEST(Elements, LimbsWithOneNameAreToldApartByTheirParts) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::elements_test

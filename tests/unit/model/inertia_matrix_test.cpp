@@ -4,7 +4,7 @@
 
 #include "inertia_reference.h"
 
-namespace robcogen::model {
+namespace robcogen::model::inertia_matrix_test {
 namespace {
 
 using Codes = std::vector<std::string>;
@@ -227,4 +227,4 @@ TEST(InertiaMatrix, AgreesWithTheRankOfTheMatrixOnRandomRobots) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::inertia_matrix_test

@@ -8,7 +8,7 @@
 
 #include "inertia_reference.h"
 
-namespace robcogen::model {
+namespace robcogen::model::inertia_pivots_test {
 namespace {
 
 using test::number;
@@ -83,4 +83,4 @@ TEST(InertiaPivots, AdditionsAreInProportion) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::inertia_pivots_test

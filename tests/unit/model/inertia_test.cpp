@@ -2,7 +2,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::inertia_test {
 namespace {
 
 using test::number;
@@ -120,4 +120,4 @@ TEST(RotationMatrix, IsExactForRightAngles) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::inertia_test

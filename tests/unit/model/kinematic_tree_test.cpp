@@ -4,7 +4,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::kinematic_tree_test {
 namespace {
 
 // base -a-> trunk -> (b-> arm, c-> leg -d-> foot), not declared in the order of the tree.
@@ -145,4 +145,4 @@ TEST(DesiredOfFrames, IsEachFrameToAndFromTheBaseAndItsJacobian) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::kinematic_tree_test

@@ -8,7 +8,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::limbs_test {
 namespace {
 
 using Names = std::vector<std::vector<std::string>>;
@@ -209,4 +209,4 @@ TEST(Limbs, OfTwoLongChains) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::limbs_test

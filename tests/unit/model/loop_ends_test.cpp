@@ -5,7 +5,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::loop_ends_test {
 namespace {
 
 // base -a-> trunk -> (b-> arm, c-> leg -d-> foot)
@@ -47,4 +47,4 @@ TEST(LoopEnds, HaveTheJointsThatMoveOneAgainstTheOther) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::loop_ends_test

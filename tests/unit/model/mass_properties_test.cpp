@@ -2,7 +2,7 @@
 
 #include "descriptions.h"
 
-namespace robcogen::model {
+namespace robcogen::model::mass_properties_test {
 namespace {
 
 using Codes = std::vector<std::string>;
@@ -76,4 +76,4 @@ TEST(MassProperties, AcceptsATinyMass) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::mass_properties_test

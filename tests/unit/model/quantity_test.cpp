@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace robcogen::model {
+namespace robcogen::model::quantity_test {
 namespace {
 
 const std::vector<Parameter> kParameters = {
@@ -112,4 +112,4 @@ TEST(Quantity, PrintsOnlyNeededParentheses) {
 }
 
 }  // namespace
-}  // namespace robcogen::model
+}  // namespace robcogen::model::quantity_test

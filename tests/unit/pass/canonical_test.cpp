@@ -4,7 +4,7 @@
 #include "pass/passes.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::canonical_test {
 namespace {
 
 std::string canonical_text(const std::string& text) {
@@ -83,4 +83,4 @@ TEST(Canonical, IsIdempotent) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::canonical_test

@@ -4,7 +4,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::gather_parameters_test {
 namespace {
 
 // k: parameters; x: variables.
@@ -74,4 +74,4 @@ TEST(GatherParameters, ChangesNoResult) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::gather_parameters_test

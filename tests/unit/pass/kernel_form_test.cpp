@@ -7,7 +7,7 @@
 
 #include "../backend/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::kernel_form_test {
 namespace {
 
 using symbolic::Function;
@@ -103,7 +103,7 @@ TEST(KernelForm, LongResultsAreComputedForSingleStates) {
     std::string zeros;
     for (int k = 0; k < rows * rows; ++k) zeros += " 0";
     const std::string shape = std::to_string(rows) + " " + std::to_string(rows);
-    const Program program = test::program(
+    const Program program = test::described_program(
         "program m\ninput q joint_position a\noutput M " + role + " " + shape + "\nreturn M" + zeros + "\n");
     return kernel_form(test::function("m", "m", program), {}).takes_single_states;
   };
@@ -113,4 +113,4 @@ TEST(KernelForm, LongResultsAreComputedForSingleStates) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::kernel_form_test

@@ -6,10 +6,10 @@
 #include "symbolic/cost.h"
 #include "two_limbs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::lane_plan_test {
 namespace {
 
-using namespace test;
+using namespace two_limbs;
 using Kind = PackedValue::Kind;
 
 LanePlan plan_of(const Program& program) {
@@ -141,4 +141,4 @@ TEST(LanePlans, RandomLimbsAreSoundlyPlanned) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::lane_plan_test

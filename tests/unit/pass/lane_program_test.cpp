@@ -5,10 +5,10 @@
 #include "symbolic/cost.h"
 #include "two_limbs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::lane_program_test {
 namespace {
 
-using namespace test;
+using namespace two_limbs;
 using symbolic::Op;
 
 Program with_lanes(const Program& p) {
@@ -88,4 +88,4 @@ TEST(LanePrograms, NamesAreWhatTheLimbsHaveInCommon) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::lane_program_test

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace robcogen::pass {
+namespace robcogen::pass::lane_signs_test {
 namespace {
 
 bool is_plain(const Sign& sign) {
@@ -101,4 +101,4 @@ TEST(LaneSigns, SolveLinearEquations) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::lane_signs_test

@@ -6,7 +6,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::pack_lanes_test {
 namespace {
 
 using symbolic::Op;
@@ -152,4 +152,4 @@ TEST(PackLanes, IsIdempotent) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::pack_lanes_test

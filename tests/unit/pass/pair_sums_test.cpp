@@ -3,7 +3,7 @@
 
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::pair_sums_test {
 namespace {
 
 using symbolic::Program;
@@ -95,4 +95,4 @@ TEST(PairSums, ThoseOfOneSectionComeFirstThenWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::pair_sums_test

@@ -7,7 +7,7 @@
 
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::passes_test {
 namespace {
 
 const std::string kProgram =
@@ -46,4 +46,4 @@ TEST(Passes, AnUnknownNameIsAnInternalFault) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::passes_test

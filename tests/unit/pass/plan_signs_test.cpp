@@ -5,10 +5,10 @@
 #include "symbolic/cost.h"
 #include "two_limbs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::plan_signs_test {
 namespace {
 
-using namespace test;
+using namespace two_limbs;
 using Kind = PackedValue::Kind;
 using symbolic::Op;
 
@@ -119,4 +119,4 @@ TEST(PlanSigns, SaveChanges) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::plan_signs_test

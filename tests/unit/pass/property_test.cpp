@@ -5,7 +5,7 @@
 #include "pass/statements.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::property_test {
 namespace {
 
 using symbolic::Program;
@@ -73,4 +73,4 @@ TEST(PassProperty, LongChainsPass) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::property_test

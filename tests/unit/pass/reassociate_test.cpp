@@ -5,7 +5,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::reassociate_test {
 namespace {
 
 using symbolic::Program;
@@ -123,4 +123,4 @@ TEST(Reassociate, NeverAddsInstructions) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::reassociate_test

@@ -7,12 +7,12 @@
 
 #include "../backend/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::small_angles_test {
 namespace {
 
 // True if the angles `x`, in four lanes, are known to be small.
 bool known(const std::string& angle) {
-  const symbolic::Program program = test::program(
+  const symbolic::Program program = test::described_program(
       "program limbs\n"
       "input parameters parameters turn\n"
       "input q joint_position a b c d e f g h\n"
@@ -54,10 +54,10 @@ TEST(SmallAngles, AreNoOtherValues) {
 }
 
 TEST(SmallAngles, AreThoseOfSinesInLanes) {
-  EXPECT_FALSE(has_small_angles(test::program(
+  EXPECT_FALSE(has_small_angles(test::described_program(
       "program limbs\ninput q joint_position a b c d\noutput out value 1 1\nsection limbs limbs\n"
       "tmp s = sin q[0]\ntmp z = s * q[1]\nreturn out z\n")));
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::small_angles_test

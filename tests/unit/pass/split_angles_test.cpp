@@ -7,7 +7,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::split_angles_test {
 namespace {
 
 using symbolic::Arrays;
@@ -218,4 +218,4 @@ TEST(SplitAngles, NoProgramsNoSums) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::split_angles_test

@@ -4,7 +4,7 @@
 #include "symbolic/cost.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::split_parameters_test {
 namespace {
 
 using symbolic::Program;
@@ -107,4 +107,4 @@ TEST(SplitParameters, FoldsWhatCancels) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::split_parameters_test

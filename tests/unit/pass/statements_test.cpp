@@ -5,7 +5,7 @@
 #include "pass/statements.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass {
+namespace robcogen::pass::statements_test {
 namespace {
 
 using symbolic::Program;
@@ -136,4 +136,4 @@ TEST(Sink, TheOrderWithinASectionStays) {
 }
 
 }  // namespace
-}  // namespace robcogen::pass
+}  // namespace robcogen::pass::statements_test

@@ -8,7 +8,7 @@
 #include "pass/lanes/lane_plan.h"
 #include "symbolic/programs.h"
 
-namespace robcogen::pass::test {
+namespace robcogen::pass::two_limbs {
 
 using robcogen::test::program;
 using symbolic::Operand;
@@ -115,4 +115,4 @@ class RandomLimbs {
   }
 };
 
-}  // namespace robcogen::pass::test
+}  // namespace robcogen::pass::two_limbs

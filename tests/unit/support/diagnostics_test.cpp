@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace robcogen {
+namespace robcogen::diagnostics_test {
 namespace {
 
 std::shared_ptr<const Source> source(std::string text, std::string name = "arm.kindsl") {
@@ -216,4 +216,4 @@ TEST(Nearest, FindsWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::diagnostics_test

@@ -10,7 +10,7 @@
 #include <sys/resource.h>
 #endif
 
-namespace robcogen {
+namespace robcogen::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST(Hash, IsFnv1a) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::files_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace robcogen {
+namespace robcogen::name_table_test {
 namespace {
 
 TEST(NameTable, KeepsTheFirstValueOfAName) {
@@ -34,4 +34,4 @@ TEST(NameTable, KeepsNamesAsItGrows) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::name_table_test

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace robcogen {
+namespace robcogen::number_test {
 namespace {
 
 constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
@@ -245,4 +245,4 @@ TEST(Number, PrintsDoublesThatReadBack) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::number_test

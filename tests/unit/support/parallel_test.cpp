@@ -9,7 +9,7 @@
 
 #include "support/lazy.h"
 
-namespace robcogen {
+namespace robcogen::parallel_test {
 namespace {
 
 TEST(ForEachIndex, CallsEachOnce) {
@@ -52,4 +52,4 @@ TEST(Lazy, IsMadeAnewWhenMakingFailed) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::parallel_test

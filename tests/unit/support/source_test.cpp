@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen {
+namespace robcogen::source_test {
 namespace {
 
 void expect_place(const Source& source, std::size_t offset, std::size_t line, std::size_t column) {
@@ -51,4 +51,4 @@ TEST(Source, MayBeEmpty) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::source_test

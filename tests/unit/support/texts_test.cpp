@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace robcogen {
+namespace robcogen::texts_test {
 namespace {
 
 TEST(Texts, ArePiecesOneAfterAnother) {
@@ -30,4 +30,4 @@ TEST(Texts, StayWhereTheyAreWhenOthersComeAndWhenMoved) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::texts_test

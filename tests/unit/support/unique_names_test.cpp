@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace robcogen {
+namespace robcogen::unique_names_test {
 namespace {
 
 TEST(UniqueNames, TakeTheFirstFreeNumber) {
@@ -27,4 +27,4 @@ TEST(UniqueNames, ThatAreReleasedAreFreeAgain) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::unique_names_test

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace robcogen {
+namespace robcogen::wildcards_test {
 namespace {
 
 TEST(Wildcards, MatchWholeTexts) {
@@ -49,4 +49,4 @@ TEST(Wildcards, GuessesWhatAPatternShouldMatch) {
 }
 
 }  // namespace
-}  // namespace robcogen
+}  // namespace robcogen::wildcards_test

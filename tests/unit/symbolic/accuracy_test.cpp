@@ -7,7 +7,7 @@
 #include "programs.h"
 #include "symbolic/double_double.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::accuracy_test {
 namespace {
 
 using test::program;
@@ -129,4 +129,4 @@ TEST(Accuracy, IsPrintedWithFewDigits) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::accuracy_test

@@ -7,7 +7,7 @@
 
 #include "programs.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::blocks_test {
 namespace {
 
 using test::program;
@@ -142,4 +142,4 @@ TEST(Moves, ThreeColumnsOfFourLanesWithoutGapTakeSixShuffles) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::blocks_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::constant_test {
 namespace {
 
 const Constant kZero = Constant().folded_as(0.25), kHalf = Number::rational(1, 2);
@@ -41,4 +41,4 @@ TEST(Constant, HasNoRepresentativeThatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::constant_test

@@ -8,7 +8,7 @@
 
 #include "programs.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::cost_test {
 namespace {
 
 Cost counted(const std::string& statements, int outputs = 1) {
@@ -290,4 +290,4 @@ TEST(WorkSince, TheMark) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::cost_test

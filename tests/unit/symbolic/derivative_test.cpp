@@ -5,7 +5,7 @@
 
 #include "programs.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::derivative_test {
 namespace {
 
 using Real = long double;
@@ -136,4 +136,4 @@ TEST(Derivative, ByWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::derivative_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::expression_test {
 namespace {
 
 class ExpressionTest : public testing::Test {
@@ -158,4 +158,4 @@ TEST_F(ExpressionTest, RollbackForgetsWhatWasBuiltSince) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::expression_test

@@ -5,7 +5,7 @@
 #include "symbolic/apply.h"
 #include "symbolic/expression.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::folding_test {
 namespace {
 
 class Folding : public testing::Test {
@@ -135,4 +135,4 @@ TEST_F(Folding, KeepsTheValuesOfRandomExpressions) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::folding_test

@@ -4,7 +4,7 @@
 #include "programs.h"
 #include "symbolic/cost.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::fuse_test {
 namespace {
 
 using test::program;
@@ -48,4 +48,4 @@ TEST(Fuse, SharesInputsByNameAndEqualValues) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::fuse_test

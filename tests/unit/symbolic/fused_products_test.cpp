@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::fused_products_test {
 namespace {
 
 // `users`: the uses of each product.
@@ -46,4 +46,4 @@ TEST(FusedProducts, GoFirstWithFewestUses) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::fused_products_test

@@ -7,7 +7,7 @@
 
 #include "programs.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::interpret_test {
 namespace {
 
 template <class Real>
@@ -102,4 +102,4 @@ TEST(InterpretProperty, AgreesWithAnotherEvaluator) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::interpret_test

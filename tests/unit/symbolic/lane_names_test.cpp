@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::lane_names_test {
 namespace {
 
 TEST(LaneNames, AreWhatNamesHaveInCommon) {
@@ -51,4 +51,4 @@ TEST(LaneNames, OfSectionsSayWhichLimbs) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::lane_names_test

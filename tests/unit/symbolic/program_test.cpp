@@ -9,7 +9,7 @@
 #include "symbolic/text.h"
 #include "symbolic/verify.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::program_test {
 namespace {
 
 class ProgramOfGraph : public testing::Test {
@@ -127,4 +127,4 @@ TEST_F(ProgramOfGraph, OutputsMayBeEmpty) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::program_test

@@ -6,7 +6,7 @@
 
 #include "programs.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::rebuild_test {
 namespace {
 
 const char* const kProgram =
@@ -64,4 +64,4 @@ TEST(Rebuild, TakesNewValues) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::rebuild_test

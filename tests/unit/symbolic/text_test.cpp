@@ -6,7 +6,7 @@
 #include "programs.h"
 #include "symbolic/verify.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::text_test {
 namespace {
 
 const std::string kEverything =
@@ -232,4 +232,4 @@ TEST_F(Verify, ConstantsThatAreNegativeOrNotFinite) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::text_test
