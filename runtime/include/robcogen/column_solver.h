@@ -70,6 +70,13 @@ class ColumnSolver<kRows, kFactor, Scalar, true> {
   Value factor_[kFactor];
 };
 
+// Makes a matrix exactly symmetric, whose columns were solved for one by one: the upper triangle becomes the lower one.
+template <int kRows, class Scalar>
+void mirror_lower(Scalar* matrix) noexcept {
+  for (int c = 1; c < kRows; ++c)
+    for (int r = 0; r < c; ++r) matrix[c * kRows + r] = matrix[r * kRows + c];
+}
+
 // Whether one number from each limb, kLimbs in all, fills a register.
 template <class Scalar, int kLimbs>
 constexpr bool kFillsLanes = kPrefersLanes<Scalar>&& lanes::kInRegister<Scalar> == kLimbs;

@@ -66,10 +66,15 @@ TEST(Growth, OfFunctionsOfFramesIsLinear) {
 TEST(Growth, TheInverseOfALargeInertiaMatrixIsALoop) {
   for (const int joints : {10, 30}) {
     const Scratch scratch("inverse-" + std::to_string(joints));
-    generate(joints, scratch, "--algorithms joint_space_inertia_factor");
+    generate(joints, scratch, "--algorithms joint_space_inertia_factor --batch --processors baseline");
     const std::string text = read_text(scratch.path / "out" / "chain" / "kernel" / "joint_space_inertia_factor.h");
     EXPECT_FALSE(text.empty());
     EXPECT_EQ(text.find("ColumnSolver") != std::string::npos, joints == 30);
+    EXPECT_EQ(text.find("mirror_lower<30>(inverse)") != std::string::npos, joints == 30);
+    // Over many states, the loop is called, too; smaller inverses are written in place.
+    const std::string batch = read_text(scratch.path / "out" / "chain" / "batch" / "joint_space_inertia_factor.h");
+    EXPECT_EQ(batch.find("chain::kernel::inertia_factor_inverse(") != std::string::npos, joints == 30);
+    EXPECT_EQ(batch.find("chain::batch::columns::inertia_factor_inverse(") != std::string::npos, joints == 10);
   }
 }
 

@@ -19,9 +19,9 @@ std::string lanes_of(const BatchArray& array) {
 
 // The kernel of a function over many states that writes its result in place. The result is a symmetric matrix: most of
 // its elements are written twice or are zeros, and an intermediate copy would fill the cache. None if the kernel is cut
-// into parts.
+// into parts, or solves for the columns of its result, which it reads again.
 std::optional<Kernel> kernel_in_place(const Callable& callable) {
-  if (!is_symmetric(callable)) return std::nullopt;
+  if (!is_symmetric(callable) || callable.function->solved) return std::nullopt;
   Kernel kernel = lower(callable.function->program, callable.kernel);
   return is_long(kernel, dialect()) ? std::nullopt : std::optional(std::move(kernel));
 }

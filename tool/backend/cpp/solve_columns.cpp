@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "backend/cpp/batch_kernels.h"
 #include "backend/cpp/layout.h"
 #include "support/index.h"
 
@@ -62,7 +63,8 @@ std::string solve_columns(const Callable& callable) {
   return "  Scalar " + factor + "[" + size + "];\n" + call(solved.right_sides.name, arguments, 2) +
          declaration("  const auto solve = []", {"const auto* f", "const auto* b", "auto* x"}, " noexcept {") + "    " +
          solved.solution.name + "(f, b, x);\n  };\n" + "  const robcogen::ColumnSolver<" + rows + ", " + size +
-         ", Scalar> solver(" + factor + ");\n" + print_solutions_of_blocks(solved, results);
+         ", Scalar> solver(" + factor + ");\n" + print_solutions_of_blocks(solved, results) +
+         (is_symmetric(callable) ? "  robcogen::mirror_lower<" + rows + ">(" + results.front() + ");\n" : "");
 }
 
 }  // namespace robcogen::backend::cpp
