@@ -29,6 +29,9 @@ INFO = f"robcogen-{VERSION}.dist-info"
 METADATA = (
     f"Metadata-Version: 2.1\nName: robcogen\nVersion: {VERSION}\nSummary: Robots as Python modules, generated and compiled\n"
     "License: BSD-3-Clause\nRequires-Python: >=3.11\n")
+NEEDED = (
+    "robcogen is built by CMake 3.22 and a C++20 compiler, with Eigen, {fmt}, CLI11, nlohmann-json and, to read URDFs, urdfdom; Debian "
+    "has them as cmake g++ libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev liburdfdom-dev")
 # The program robcogen of an environment. It does not import the package, which takes longer than the generator's start.
 COMMAND = """#!python
 import os
@@ -134,9 +137,9 @@ def build_generator(folder):
             subprocess.run(["cmake", "-S", PROJECT, "-B", build, *arguments], check=True)
             subprocess.run(["cmake", "--build", build, "--target", "robcogen_wheel", "--parallel", str(os.cpu_count())], check=True)
         except FileNotFoundError:
-            sys.exit("robcogen is built by CMake and a C++20 compiler, from libraries that its guide lists: there is no cmake")
+            sys.exit(f"there is no cmake: {NEEDED}")
         except subprocess.CalledProcessError as error:
-            sys.exit(f"robcogen could not be built: {error}")
+            sys.exit(f"the build failed: {error}\n{NEEDED}")
         (wheel,) = Path(build, "wheel").glob("*.whl")
         copy = folder / wheel.name
         copy.write_bytes(wheel.read_bytes())

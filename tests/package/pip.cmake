@@ -35,7 +35,7 @@ if(FROM STREQUAL "sources")
   run(output ${CMAKE_COMMAND} --build ${BUILD_DIR} --target robcogen_sdist)
   set(package ${BUILD_DIR}/sdist/robcogen-${VERSION}.tar.gz)
   # The test checks that the generator compiles, not how fast it runs.
-  set(ENV{CMAKE_ARGS} "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_COMPILER=${CXX_COMPILER}")
+  set(ENV{CMAKE_ARGS} "-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_CXX_COMPILER=${CXX_COMPILER}")
 else()
   if(NOT EXISTS ${LIBRARY_SOURCES})
     message("skipped: there are no sources of libraries in ${LIBRARY_SOURCES} (cmake/bootstrap.sh sources FOLDER)")

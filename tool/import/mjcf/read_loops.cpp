@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "import/mjcf/anchors.h"
@@ -81,28 +82,29 @@ class LoopReader {
   // it is in the other body follows from how the bodies are drawn, or from `relpose`.
   void place_anchors(std::array<Anchor, 2>& ends) {
     const Pose anchor = shift(values_.triple(element_, "anchor", {}));
-    const Pose first_X_second = relative_pose(ends);
     if (is_weld_) {
-      ends[0].pose = first_X_second * anchor;
+      const std::optional<Pose> given = relative_pose();
+      ends[0].pose = given ? *given : drawn_pose(document_, ends[0].body, ends[1].body) * anchor;
       ends[1].pose = anchor;
     } else {
       ends[0].pose = anchor;
-      ends[1].pose = inverse(first_X_second) * anchor;
+      ends[1].pose = inverse(drawn_pose(document_, ends[0].body, ends[1].body)) * anchor;
     }
     // Axes have no meaning for a point.
     if (!holds_turns_)
       for (Anchor& end : ends) end.pose.rotation = {};
   }
 
-  Pose relative_pose(const std::array<Anchor, 2>& ends) {
-    const Attribute* given = is_weld_ ? find(element_, "relpose") : nullptr;
-    if (given != nullptr) {
-      const std::vector<Number> n = values_.numbers(*given, 7, 7);
-      const std::array<long double, 4> q = {n[3].value(), n[4].value(), n[5].value(), n[6].value()};
-      // As in MuJoCo, a zero quaternion stands for the poses as drawn.
-      if (q != std::array<long double, 4>()) return {quantities({n[0], n[1], n[2]}), rotation_of_quaternion(q)};
-    }
-    return drawn_pose(document_, ends[0].body, ends[1].body);
+  // `relpose` is where the anchor, which has the axes of the second body, is in the first body. Without an anchor, this is
+  // the pose of the second body.
+  std::optional<Pose> relative_pose() {
+    const Attribute* given = find(element_, "relpose");
+    if (given == nullptr) return std::nullopt;
+    const std::vector<Number> n = values_.numbers(*given, 7, 7);
+    const std::array<long double, 4> q = {n[3].value(), n[4].value(), n[5].value(), n[6].value()};
+    // As in MuJoCo, a zero quaternion stands for the poses as drawn.
+    if (q == std::array<long double, 4>()) return std::nullopt;
+    return Pose{quantities({n[0], n[1], n[2]}), rotation_of_quaternion(q)};
   }
 };
 
