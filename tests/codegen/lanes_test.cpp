@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lane_shapes.h"
+#include "robcogen/magnitude.h"
 #include "robcogen/sincos_of.h"
 
 namespace robcogen {
@@ -37,7 +38,7 @@ TYPED_TEST(LanesOf, ComputeEachLane) {
   const Random<Scalar, kSize> x(1), y(2);
   const Lanes<Scalar, kSize> a = x.lanes(), b = y.lanes();
   const Lanes<Scalar, kSize> sum = a + b, difference = a - b, product = a * b, quotient = a / b, negative = -a;
-  const Lanes<Scalar, kSize> root = sqrt(a * a);
+  const Lanes<Scalar, kSize> root = sqrt(a * a), without_sign = magnitude(a);
   for (int i = 0; i < kSize; ++i) {
     EXPECT_EQ(sum[i], x.numbers[i] + y.numbers[i]);
     EXPECT_EQ(difference[i], x.numbers[i] - y.numbers[i]);
@@ -45,6 +46,8 @@ TYPED_TEST(LanesOf, ComputeEachLane) {
     EXPECT_EQ(quotient[i], x.numbers[i] / y.numbers[i]);
     EXPECT_EQ(negative[i], -x.numbers[i]);
     EXPECT_EQ(root[i], std::sqrt(x.numbers[i] * x.numbers[i]));
+    EXPECT_EQ(without_sign[i], std::abs(x.numbers[i]));
+    EXPECT_EQ(magnitude(x.numbers[i]), std::abs(x.numbers[i]));
   }
 }
 

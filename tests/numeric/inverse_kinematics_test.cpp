@@ -311,6 +311,13 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
   EXPECT_EQ(report.hint, "damped steps serve any chain: <robcogen/generic/inverse_kinematics.h>");
 
   std::vector<Chain> known = chains(4);
+  Chain offset = known[0];
+  offset.joints[5].x = 0.07;
+  report = report_of(offset);
+  EXPECT_FALSE(report.has_closed_form);
+  EXPECT_NE(report.hint.find("'given J1'"), std::string::npos) << report.hint;
+  EXPECT_NE(report.hint.find("<robcogen/generic/all_solutions.h>"), std::string::npos) << report.hint;
+
   Chain wrist = known[0];
   wrist.joints[5].x = 67e-6;
   report = report_of(wrist);

@@ -14,6 +14,7 @@
 #include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/check_identification.h"
 #include "robcogen/reference/check_identities.h"
+#include "robcogen/reference/check_inverse_kinematics.h"
 #include "robcogen/reference/check_kinematics.h"
 #include "robcogen/reference/check_partial_derivatives.h"
 #include "robcogen/reference/check_parts.h"
@@ -99,6 +100,7 @@ void check(
     check_jacobians(subject, c, checks);
     check_frame_motions(subject, c, checks);
     check_contacts(c, cache, engine, checks);
+    check_inverse_kinematics(c, cache, engine, checks);
   }
   if (subject.total_mass) check_total_mass(subject, tables, checks, set);
   check_trigonometry(tables, cache, engine, samples, checks);

@@ -47,8 +47,9 @@ struct Library {
   std::string generator_version;  // of the tool: printed in one file only, so that a new version recompiles little
   model::KinematicTree tree;      // the robot; without links: a library of the transforms of `document`
   model::CoordinateTransforms document = {};
-  std::vector<model::ContactFrame> contacts = {};  // only if the library has contact functions
-  std::vector<std::string> groups;                 // the groups that were asked for, in canonical order
+  std::vector<model::ContactFrame> contacts = {};   // only if the library has contact functions
+  std::vector<model::InverseTarget> inverses = {};  // what the functions of inverse kinematics invert
+  std::vector<std::string> groups;                  // the groups that were asked for, in canonical order
   std::vector<Function> functions;
   std::vector<Function> right_sides = {};  // called by functions that have Function::solved
   // For robots with parameters, in languages that cache the values that depend on parameters alone (`functions` then

@@ -83,6 +83,7 @@ backend::Library library_of(
   if (const Robot* robot = model.robot()) {
     result.tree = robot->tree;
     if (has_contacts(functions)) result.contacts = robot->desired.contacts;
+    result.inverses = robot->desired.inverses;
   } else {
     result.document = model.transforms()->document;
   }

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "robcogen/lanes.h"
+#include "robcogen/magnitude.h"
 #include "robcogen/sine_polynomials.h"
 
 #if defined(__GNUC__)
@@ -45,12 +46,6 @@ ROBCOGEN_INLINE Numbers rest_of_arc_tangent(const Numbers& z) noexcept {
 template <class Numbers>
 ROBCOGEN_INLINE Numbers where_set(const Bits<Numbers>& where, Element<Numbers> x) noexcept {
   return chosen<Numbers>(where, Numbers{}, x - Numbers{});
-}
-
-template <class Numbers>
-ROBCOGEN_INLINE Numbers without_sign(const Numbers& x) noexcept {
-  using Bit = BitsOfOne<Element<Numbers>>;
-  return numbers<Numbers>(bits(x) & static_cast<Bit>(static_cast<Bit>(-1) >> 1));
 }
 
 // The angle from -pi to pi whose tangent is y / x, in the quadrant of (x, y).

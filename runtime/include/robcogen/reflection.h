@@ -244,6 +244,23 @@ struct Part {
   int input_count;
 };
 
+// What inverse kinematics of left_X_right inverts: all of it, the position of the origin of `right`, or that and the
+// direction of its z axis.
+enum class InverseTask { pose, position, position_and_axis };
+
+// The functions of a chain with inverse kinematics in closed form: indices into the functions, -1 where there is none.
+struct InverseKinematics {
+  const char* name;  // left_X_right
+  InverseTask task;
+  int left;  // frame indices
+  int right;
+  const int* joints;  // element of qd of each row of sin_q and cos_q
+  int joint_count;
+  int branches;
+  int given;  // element of qd whose position is that of the reference; -1: none
+  int all, branch, configuration, redundancy;
+};
+
 // The function of the same name over n states. `parameters` is the cache of a robot with parameters, which is not among
 // the inputs here; other robots do not read it.
 struct BatchFunction {
@@ -366,6 +383,7 @@ struct Robot {
   Table<Follower> followers = {nullptr, 0};  // the last elements of q, in order
   ActuatorKernels actuator_kernels = {};
   Table<Part> parts = {nullptr, 0};
+  Table<InverseKinematics> inverse_kinematics = {nullptr, 0};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.

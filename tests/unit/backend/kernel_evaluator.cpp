@@ -121,6 +121,12 @@ double KernelEvaluator::primary() {
     ++count_.sqrt;
     return std::sqrt(argument());
   }
+  if (accept("magnitude(")) {  // as in the program
+    ++count_.mul;
+    ++count_.sqrt;
+    const double value = argument();
+    return std::sqrt(value * value);
+  }
   for (const bool sine : {true, false}) {
     if (!accept(sine ? "sin(" : "cos(")) continue;
     ++count_.sincos;

@@ -147,6 +147,26 @@ TEST(Lower, FunctionsFoundByArgumentDependentLookupAreListed) {
   EXPECT_EQ(kernel.functions, (std::vector<std::string>{"sin", "sqrt"}));
 }
 
+TEST(Lower, TheRootOfASquareIsAMagnitude) {
+  EXPECT_EQ(
+      lowered("let hip_wx = q[0] - qd[0]\n"
+              "tmp t1 = hip_wx * hip_wx\n"
+              "tmp t2 = sqrt t1\n"
+              "return tau t2\n"),
+      "// link hip: velocity\n"
+      "const Scalar hip_wx = q[0] - qd[0];\n"
+      "tau[0] = magnitude(hip_wx);\n");
+  EXPECT_NE(
+      lowered(
+          "tmp t1 = q[0] * q[0]\n"
+          "tmp t2 = sqrt t1\n"
+          "return tau t2 t1\n",
+          2)
+          .find("sqrt("),
+      std::string::npos)
+      << "the square is needed itself";
+}
+
 TEST(Lower, EqualElementsAreComputedOnceAndStoredTogether) {
   EXPECT_EQ(
       lowered(

@@ -89,7 +89,7 @@ class Inversion {
   Expression misfit(const Branch& branch) {
     trace.graph.begin_section("pose of the branch", "end");
     const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
-    return inversion::misfit(trace.graph, solver(), closure, branch.values);
+    return inversion::misfit(trace.graph, {trace.graph, chain, target}, closure, branch.values);
   }
 
   Expression determinant(const Branch& branch) {

@@ -68,8 +68,10 @@ Dialect dialect(const Precision& precision, bool reads_cache) {
   if (precision.is_macro) return macros();
   Dialect d;
   d.is_reserved = is_reserved;
-  for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.arc_tangent}) *function += precision.suffix;
-  d.used_names = {d.sine, d.cosine, d.square_root, d.arc_tangent, "kept"};
+  d.magnitude = "fabs";
+  for (std::string* function : {&d.sine, &d.cosine, &d.square_root, &d.magnitude, &d.arc_tangent})
+    *function += precision.suffix;
+  d.used_names = {d.sine, d.cosine, d.square_root, d.magnitude, d.arc_tangent, "kept"};
   d.line_limit = kColumns - d.indentation;
   d.pairs_angles = false;
   d.lengths = kLengths;

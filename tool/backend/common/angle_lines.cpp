@@ -9,6 +9,21 @@ namespace robcogen::backend {
 
 using symbolic::Operand;
 
+namespace {
+
+// Whether this is an element of reference positions of the joints.
+bool is_reference(const symbolic::Program& program, const Operand& o) {
+  if (o.kind != Operand::Kind::input) return false;
+  std::size_t end = 0;
+  for (const symbolic::InputArray& array : program.inputs) {
+    end += array.elements.size();
+    if (at(o.index) < end) return array.role == symbolic::Role::joint_reference;
+  }
+  return false;
+}
+
+}  // namespace
+
 void AngleLines::add_those_of_inputs() {
   Arrangement& arranged = lines_.arranged();
   const bool are_together = arranged.together > 0;
@@ -51,6 +66,7 @@ void AngleLines::add(const AngleKey& key, const Angle& angle) {
   if (angle.sine && angle.cosine && dialect.pairs_angles) {
     Line line{Line::Kind::sincos, {angle.sine_name, angle.cosine_name}, lines_.text_of(operand)};
     line.width = width_of(lines_.program(), operand);
+    line.is_reference = is_reference(lines_.program(), operand);
     line.names = lines_.names_of(operand);
     lines_.add(std::move(line));
     return;

@@ -47,7 +47,8 @@ Spelling sum_of_lanes(Arrangement& arranged, std::size_t i) {
 
 void add_names_of_expression(const Arrangement& arranged, std::size_t i, std::vector<std::string>& names) {
   const Statement& s = arranged.program.statements[i];
-  if (s.op == Op::square_root) names.push_back(arranged.dialect.square_root);
+  if (s.op == Op::square_root)
+    names.push_back(square_of_magnitude(arranged, i) ? arranged.dialect.magnitude : arranged.dialect.square_root);
   if (s.op == Op::arc_tangent) names.push_back(arranged.dialect.arc_tangent);
   if (s.op == Op::gather) names.push_back(arranged.dialect.type(s.width));
   for_each_operand(s, [&](const Operand& o) {
@@ -58,10 +59,23 @@ void add_names_of_expression(const Arrangement& arranged, std::size_t i, std::ve
 
 }  // namespace
 
+const Statement* square_of_magnitude(const Arrangement& arranged, std::size_t i) {
+  const Statement& root = arranged.program.statements[i];
+  if (root.op != Op::square_root || arranged.dialect.magnitude.empty()) return nullptr;
+  if (root.a.kind != Operand::Kind::statement || root.a.negative || root.a.lane >= 0) return nullptr;
+  if (arranged.places[at(root.a.index)] != Place::inside) return nullptr;  // it has a line
+  const Statement& square = arranged.program.statements[at(root.a.index)];
+  return square.op == Op::multiply && square.a == square.b && square.width == root.width ? &square : nullptr;
+}
+
 Spelling expression(Arrangement& arranged, std::size_t i) {
   const Statement& s = arranged.program.statements[i];
   Spelling result;
-  if (s.op == Op::square_root) {
+  if (const Statement* square = square_of_magnitude(arranged, i)) {
+    Operand x = square->a;
+    x.negative = false;
+    result = call(arranged.dialect.magnitude, spell_checked(arranged, x, s.width), arranged.texts);
+  } else if (s.op == Op::square_root) {
     result = call(arranged.dialect.square_root, spell_checked(arranged, s.a, s.width), arranged.texts);
   } else if (s.op == Op::arc_tangent || (s.op == Op::divide && !arranged.dialect.quotient.empty())) {
     const Dialect& d = arranged.dialect;

@@ -31,6 +31,9 @@ struct Arrangement : LinePlan {
 
 Arrangement arrange(const symbolic::Program& program, const Dialect& dialect);
 
+// The square whose root a statement is, where the language has a function for magnitudes; null for other statements.
+const symbolic::Statement* square_of_magnitude(const Arrangement& arranged, std::size_t statement);
+
 // The expression of a statement whose operands are already spelled.
 Spelling expression(Arrangement& arranged, std::size_t statement);
 

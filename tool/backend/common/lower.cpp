@@ -50,7 +50,8 @@ class Emission {
       emit_load(load->second);
     }
     if (place == Place::nowhere || place == Place::loaded) return;
-    if (op == Op::square_root) lines_.need(dialect_.square_root);
+    if (op == Op::square_root)
+      lines_.need(square_of_magnitude(arranged_, i) ? dialect_.magnitude : dialect_.square_root);
     if (op == Op::arc_tangent) lines_.need(dialect_.arc_tangent);
     if (place == Place::inside) return;
     if (place == Place::angle) {

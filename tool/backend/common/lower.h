@@ -43,7 +43,8 @@ struct Line {
   int width = 1;          // lanes of the defined value
   int stride = 0;         // of blocks: distance from lane to lane
   std::vector<std::string> values = {};
-  bool is_small = false;  // of sincos: the angle is known to be small
+  bool is_small = false;      // of sincos: the angle is known to be small
+  bool is_reference = false;  // of sincos: the angle is an element of reference positions
   // The names that the text refers to: values of other lines, parameters, functions and types.
   std::vector<std::string> names = {};
 };
@@ -76,6 +77,8 @@ struct Dialect {
   bool pairs_angles = true;
   // The names of the functions in the language.
   std::string sine = "sin", cosine = "cos", square_root = "sqrt", arc_tangent = "atan2";
+  // The name of a function for magnitudes, sqrt(x * x); empty: spelled as it is.
+  std::string magnitude = "";
   // The name of a function for quotients; empty: the operator.
   std::string quotient = "";
   // If at least this many elements of one input have sines and cosines, these are computed together; 0: never. The

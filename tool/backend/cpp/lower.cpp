@@ -70,8 +70,9 @@ const Dialect& dialect() {
   static const Dialect cpp = [] {
     Dialect d;
     d.is_reserved = is_reserved;
-    d.used_names = {"Lanes2", "Lanes4", "Lanes8",   "Scalar", kArcTangent, "cos",  "kept", "kept_2",
-                    "kept_4", "kept_8", "robcogen", "sin",    "sincos",    "sqrt", "std",  "sum_lanes"};
+    d.used_names = {"Lanes2", "Lanes4",   "Lanes8",   "Scalar", kArcTangent, "cos",  "kept", "kept_2",   "kept_4",
+                    "kept_8", kMagnitude, "robcogen", "sin",    "sincos",    "sqrt", "std",  "sum_lanes"};
+    d.magnitude = kMagnitude;
     d.arc_tangent = kArcTangent;
     d.line_limit = kColumns - kIndentation;
     d.name_limit = 30;  // three such operands and their operators fit in one line
@@ -118,7 +119,7 @@ Spelling literal(double value, Texts& texts) {
 }
 
 std::string text(const Line& line) {
-  const auto& [kind, targets, expression, count, width, stride, values, is_small, names] = line;
+  const auto& [kind, targets, expression, count, width, stride, values, is_small, is_reference, names] = line;
   const auto number = [](auto n) { return std::to_string(n); };
   switch (kind) {
     case Line::Kind::section:
@@ -127,6 +128,11 @@ std::string text(const Line& line) {
     case Line::Kind::binding:
       return concat({"const ", type_of_line(line), "& ", targets[0], " = ", expression, ";"});
     case Line::Kind::sincos:
+      // A call would take the registers of a long chain of operations.
+      if (is_reference)
+        return concat(
+            {"const auto [", targets[0], ", ", targets[1], "] = robcogen::SinCosOf<", type_of_line(line), ", 1>(&",
+             expression, ")[0];"});
       return concat(
           {"const auto [", targets[0], ", ", targets[1], "] = robcogen::", is_small ? "sincos_of_small" : "sincos", "(",
            expression, ");"});

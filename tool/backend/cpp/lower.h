@@ -18,6 +18,8 @@ using backend::SplitKernel;
 
 // The function of the runtime for arc tangents, in <robcogen/arc_tangent.h>.
 inline constexpr const char* kArcTangent = "arc_tangent";
+// That for magnitudes, in <robcogen/magnitude.h>.
+inline constexpr const char* kMagnitude = "magnitude";
 
 const Dialect& dialect();
 

@@ -38,7 +38,8 @@ std::string counts(const symbolic::Program& program) {
 }
 
 std::string using_declaration(const std::string& function) {
-  return "  using " + std::string(function == kArcTangent ? "robcogen" : "std") + "::" + function + ";\n";
+  const bool is_of_runtime = function == kArcTangent || function == kMagnitude;
+  return "  using " + std::string(is_of_runtime ? "robcogen" : "std") + "::" + function + ";\n";
 }
 
 }  // namespace
@@ -365,10 +366,13 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   std::vector<std::string> headers = {"\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
   if (solves) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
-  const std::string arc_tangent = using_declaration(kArcTangent);
-  const auto calls_it = [&](const std::string& text) { return text.find(arc_tangent) != std::string::npos; };
-  if (std::any_of(cores.begin(), cores.end(), calls_it) || std::any_of(kernels.begin(), kernels.end(), calls_it))
-    headers.insert(headers.begin(), "\"robcogen/arc_tangent.h\"");
+  for (const char* function : {kMagnitude, kArcTangent}) {
+    const auto calls_it = [declared = using_declaration(function)](const std::string& text) {
+      return text.find(declared) != std::string::npos;
+    };
+    if (std::any_of(cores.begin(), cores.end(), calls_it) || std::any_of(kernels.begin(), kernels.end(), calls_it))
+      headers.push_back("\"robcogen/" + std::string(function) + ".h\"");
+  }
   const std::string remark =
       "// Kernels that take precomputed sin(q) and cos(q), in the layout of joint_trigonometry.\n";
   if (!cores.empty()) kernels.insert(kernels.begin(), remark + in_namespace("core", paragraphs(cores)));

@@ -48,10 +48,19 @@ std::string own_kernels(const Api& api, const std::vector<std::string>& groups) 
   return in_namespace(kAround, "namespace {\n" + includes(files) + "}  // namespace\n");
 }
 
-bool has_arc_tangents(const Callable& c) {
-  const std::vector<symbolic::Statement>& statements = c.function->program.statements;
-  return std::any_of(statements.begin(), statements.end(), [](const symbolic::Statement& s) {
-    return s.op == symbolic::Op::arc_tangent;
+// Whether kernels may call a function of <robcogen/magnitude.h>.
+bool is_root_of_square(const std::vector<symbolic::Statement>& statements, const symbolic::Statement& s) {
+  if (s.op != symbolic::Op::square_root || s.a.kind != symbolic::Operand::Kind::statement) return false;
+  const symbolic::Statement& square = statements[static_cast<std::size_t>(s.a.index)];
+  return square.op == symbolic::Op::multiply && square.a == square.b;
+}
+
+template <class Condition>
+bool has(const Api& api, const Condition& is) {
+  return std::any_of(api.callables.begin(), api.callables.end(), [&](const Callable& c) {
+    const std::vector<symbolic::Statement>& statements = c.function->program.statements;
+    return std::any_of(
+        statements.begin(), statements.end(), [&](const symbolic::Statement& s) { return is(statements, s); });
   });
 }
 
@@ -59,8 +68,11 @@ std::string includes_of_kernels(const Api& api, const std::vector<std::string>& 
   std::vector<std::string> headers = {
       "\"robcogen/lane_blocks.h\"", "\"robcogen/level.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
   if (!api.right_sides.empty()) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
-  if (std::any_of(api.callables.begin(), api.callables.end(), has_arc_tangents))
-    headers.insert(headers.begin(), "\"robcogen/arc_tangent.h\"");
+  const auto is_arc_tangent = [](const auto&, const symbolic::Statement& s) {
+    return s.op == symbolic::Op::arc_tangent;
+  };
+  if (has(api, is_arc_tangent)) headers.emplace_back("\"robcogen/arc_tangent.h\"");
+  if (has(api, is_root_of_square)) headers.emplace_back("\"robcogen/magnitude.h\"");
   headers.insert(headers.end(), more.begin(), more.end());
   return paragraphs({includes({"<cmath>"}), includes(headers)});
 }

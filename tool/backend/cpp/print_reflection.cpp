@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backend/cpp/flat_tables.h"
+#include "backend/cpp/inverse_table.h"
 #include "backend/cpp/layout.h"
 #include "backend/cpp/printers.h"
 #include "support/index.h"
@@ -337,11 +338,12 @@ struct LastField {
 
 // Tables that most robots do not have.
 struct RareTables {
-  Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels, parts;
+  Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels, parts,
+      inverse_kinematics;
 
   std::vector<const Table*> all() const {
     return {&parameters, &couplings, &derivatives,      &contacts, &loops,
-            &actuators,  &followers, &actuator_kernels, &parts};
+            &actuators,  &followers, &actuator_kernels, &parts,    &inverse_kinematics};
   }
 };
 
@@ -358,7 +360,8 @@ RareTables rare_tables(const Api& api, const ModelTables& of_model) {
       tree.actuators.empty() ? none : of_model.actuators(),
       tree.followers_in_q().empty() ? none : of_model.followers(),
       tree.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api),
-      parts(all_callables(api))};
+      parts(all_callables(api)),
+      inverse_kinematics(api)};
 }
 
 std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
@@ -382,7 +385,8 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
       {rare.actuators.reference, "actuators", kNoTable},
       {rare.followers.reference, "followers", kNoTable},
       {rare.actuator_kernels.reference, "kernels of actuators", "{}"},
-      {rare.parts.reference, "parts of fused functions", kNoTable}};
+      {rare.parts.reference, "parts of fused functions", kNoTable},
+      {rare.inverse_kinematics.reference, "inverse kinematics", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }

@@ -14,8 +14,8 @@ using Task = model::InverseTask::Kind;
 // Two directions tell a rotation if they differ by more than 37 degrees.
 constexpr double kLeastWeight = 0.2;
 
-Expression square_of_difference(const StepSolver& solver, const Closure::Item& item, const JointValues& values) {
-  const Vector3 difference = solver.difference(item.feature, item.cut, values);
+Expression square_of_difference(const TargetLoop& loop, const Closure::Item& item, const JointValues& values) {
+  const Vector3 difference = loop.difference(item.feature, item.cut, values);
   return dot(difference, difference);
 }
 
@@ -40,10 +40,10 @@ class ClosureSearch {
  public:
   ClosureSearch(
       Graph& graph,
-      const StepSolver& solver,
+      const TargetLoop& loop,
       const SerialChain& chain,
       const std::vector<JointValues>& branches)
-      : graph_(graph), solver_(solver), chain_(chain), branches_(branches) {}
+      : graph_(graph), loop_(loop), chain_(chain), branches_(branches) {}
 
   Closure found() {
     if (chain_.task.kind == Task::orientation) return {};  // of a part of a chain, which is checked as a whole
@@ -68,7 +68,7 @@ class ClosureSearch {
   };
 
   Graph& graph_;
-  const StepSolver& solver_;
+  const TargetLoop& loop_;
   const SerialChain& chain_;
   const std::vector<JointValues>& branches_;
   std::vector<Priced> points_, directions_;
@@ -84,7 +84,7 @@ class ClosureSearch {
       if (cut > feature.begin && cut < feature.end) continue;
       const Closure::Item item = {feature, cut};
       const std::size_t mark = graph_.mark();
-      for (const JointValues& values : branches_) square_of_difference(solver_, item, values);
+      for (const JointValues& values : branches_) square_of_difference(loop_, item, values);
       const int cost = weight(graph_, mark);
       graph_.rollback(mark);
       if (!best || cost < best->cost) best = {item, cost};
@@ -133,16 +133,16 @@ class ClosureSearch {
 
 Closure cheapest_closure(
     Graph& graph,
-    const StepSolver& solver,
+    const TargetLoop& loop,
     const SerialChain& chain,
     const std::vector<JointValues>& branches) {
-  return ClosureSearch(graph, solver, chain, branches).found();
+  return ClosureSearch(graph, loop, chain, branches).found();
 }
 
-Expression misfit(Graph& graph, const StepSolver& solver, const Closure& closure, const JointValues& values) {
+Expression misfit(Graph& graph, const TargetLoop& loop, const Closure& closure, const JointValues& values) {
   Expression points, directions;
-  for (const Closure::Item& item : closure.points) points += square_of_difference(solver, item, values);
-  for (const Closure::Item& item : closure.directions) directions += square_of_difference(solver, item, values);
+  for (const Closure::Item& item : closure.points) points += square_of_difference(loop, item, values);
+  for (const Closure::Item& item : closure.directions) directions += square_of_difference(loop, item, values);
   const Expression length = sqrt(points + graph.constant(closure.direction_weight) * directions);
   return graph.constant(closure.scale) * length;
 }

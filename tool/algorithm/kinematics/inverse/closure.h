@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "algorithm/kinematics/inverse/step_solver.h"
+#include "algorithm/kinematics/inverse/target_loop.h"
 
 namespace robcogen::algorithm::inversion {
 
@@ -23,11 +23,11 @@ struct Closure {
 // The cheapest one for these branches, with the values of all joints.
 Closure cheapest_closure(
     Graph& graph,
-    const StepSolver& solver,
+    const TargetLoop& loop,
     const SerialChain& chain,
     const std::vector<JointValues>& branches);
 
 // At least the error of the branch's pose: the distance (m) and the angle (rad, as a chord).
-Expression misfit(Graph& graph, const StepSolver& solver, const Closure& closure, const JointValues& values);
+Expression misfit(Graph& graph, const TargetLoop& loop, const Closure& closure, const JointValues& values);
 
 }  // namespace robcogen::algorithm::inversion

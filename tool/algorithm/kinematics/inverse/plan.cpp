@@ -246,7 +246,7 @@ class Trial {
   Plan plan() {
     std::vector<JointValues> values;
     for (const Branch& branch : branches_) values.push_back(branch.values);
-    plan_.closure = cheapest_closure(lab_.graph, solver_, chain_, values);
+    plan_.closure = cheapest_closure(lab_.graph, solver_.loop(), chain_, values);
     Random random(7);
     std::vector<NumberPose> targets;
     for (std::size_t state = 0; state < kProbes; ++state) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithm/kinematics/inverse/closure.h"
+#include "algorithm/kinematics/inverse/step_solver.h"
 
 namespace robcogen::algorithm::inversion {
 

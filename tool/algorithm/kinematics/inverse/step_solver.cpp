@@ -56,144 +56,19 @@ StepSolver::StepSolver(
     std::vector<bool> lengths_agree)
     : graph_(graph),
       chain_(chain),
-      target_(std::move(target)),
+      loop_(graph, chain, std::move(target)),
       references_(std::move(references)),
       lengths_agree_(std::move(lengths_agree)) {
   lengths_agree_.resize(chain.axes.size());
-  for (const ChainAxis& axis : chain.axes) bases_.push_back(basis_of(axis.direction));
   const auto turning =
       std::find_if(chain.axes.begin(), chain.axes.end(), [](const ChainAxis& axis) { return axis.turns; });
   const int first = static_cast<int>(turning - chain.axes.begin());
-  const bool has_rotation = !target_.rotation[0][0].is_constant();
+  const Expression& corner = loop_.target().rotation[0][0];
+  const bool has_rotation = !corner.is_constant();
   if (has_rotation || first < chain.joints)
-    tiny_ = kTiny * (graph.constant(2.0) + (has_rotation ? target_.rotation[0][0] : sin(references_[at(first)])));
+    tiny_ = kTiny * (graph.constant(2.0) + (has_rotation ? corner : sin(references_[at(first)])));
   graph.describe(tiny_, of_joint(chain, 0, "tiny"));
 }
-
-Vector3 StepSolver::constant(const Numbers3& v) const {
-  return {graph_.constant(v[0]), graph_.constant(v[1]), graph_.constant(v[2])};
-}
-
-// Two unit vectors across h, with few elements other than zero.
-StepSolver::Basis StepSolver::basis_of(const Numbers3& h) const {
-  std::optional<std::array<Numbers3, 2>> best;
-  int least = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Numbers3 e{};
-    e[k] = 1.0;
-    Numbers3 u = e - h[k] * h;
-    if (norm(u) < 0.5) continue;
-    u = without_rounding(chain_, (1.0 / norm(u)) * u);
-    const Numbers3 w = without_rounding(chain_, cross(h, u));
-    const auto is_other = [](double x) { return x != 0.0; };
-    const auto count =
-        static_cast<int>(std::count_if(u.begin(), u.end(), is_other) + std::count_if(w.begin(), w.end(), is_other));
-    if (best && count >= least) continue;
-    best = {u, w};
-    least = count;
-  }
-  return {constant((*best)[0]), constant((*best)[1]), constant(h)};
-}
-
-StepSolver::Item StepSolver::item(const Feature& f) const {
-  const bool is_direction = f.kind == Kind::direction;
-  return {constant(is_direction ? f.direction : f.point), is_direction};
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Along the chain
-
-StepSolver::Item StepSolver::past(int joint, const Item& x, const JointValues& values, bool inverse) const {
-  const ChainAxis& axis = chain_.axis(joint);
-  if (!axis.turns && x.is_direction) return x;  // also where the joint is not known
-  const JointValue& value = *values[at(joint)];
-  const Basis& basis = bases_[at(joint)];
-  if (!axis.turns) return {x.v + (inverse ? -value.sine : value.sine) * basis.h, false};
-  const Vector3 origin = axis_point(joint), v = x.is_direction ? x.v : x.v - origin;
-  const Expression s = inverse ? -value.sine : value.sine, &c = value.cosine;
-  const Expression a = dot(basis.u, v), b = dot(basis.w, v), along = dot(basis.h, v);
-  const Expression turned_a = difference_of_products(a, c, b, s), turned_b = sum_of_products(a, s, b, c);
-  const Vector3 turned = turned_a * basis.u + turned_b * basis.w + along * basis.h;
-  return {x.is_direction ? turned : turned + origin, x.is_direction};
-}
-
-// E_begin … E_(end - 1) x, or the inverse of this product times x.
-StepSolver::Item StepSolver::along(Item x, int begin, int end, const JointValues& values, bool inverse) const {
-  if (inverse)
-    for (int k = begin; k < end; ++k) x = past(k, x, values, true);
-  else
-    for (int k = end; k-- > begin;) x = past(k, x, values, false);
-  return x;
-}
-
-// The motion of the last link, X M^-1.
-StepSolver::Item StepSolver::by_target(const Item& x, bool inverse) const {
-  const Vector3 start = constant(chain_.position);
-  Vector3 v = x.v;
-  if (inverse) {
-    if (!x.is_direction) v = v - target_.position;
-    v = multiply(transposed(target_.rotation), v);
-    Vector3 moved;
-    for (std::size_t k = 0; k < 3; ++k) moved += v[k] * constant(chain_.rotation[k]);
-    return {x.is_direction ? moved : moved + start, x.is_direction};
-  }
-  if (!x.is_direction) v = v - start;
-  Vector3 in_frame;
-  for (std::size_t k = 0; k < 3; ++k) in_frame[k] = dot(constant(chain_.rotation[k]), v);
-  const Vector3 moved = multiply(target_.rotation, in_frame);
-  return {x.is_direction ? moved : moved + target_.position, x.is_direction};
-}
-
-StepSolver::Item StepSolver::around(const Item& b, const Step& step, const JointValues& values) const {
-  const Item x = by_target(along(b, step.b.end, chain_.size(), values, true), false);
-  return along(x, 0, step.a.begin, values, true);
-}
-
-StepSolver::Item StepSolver::next_to_joint(
-    const Item& x,
-    bool is_a,
-    const Step& step,
-    const JointValues& values,
-    bool direct) const {
-  const int m = step.joint, end = chain_.size();
-  if (m >= step.a.end && m < step.b.begin)
-    return is_a ? along(x, step.a.end, m, values, true) : along(x, m + 1, step.b.begin, values, false);
-  if (m < step.a.begin) {
-    if (is_a) return along(x, m + 1, step.a.begin, values, false);
-    if (direct) return along(x, m, step.b.begin, values, false);
-    return along(by_target(along(x, step.b.end, end, values, true), false), 0, m, values, true);
-  }
-  if (!is_a) return along(x, step.b.end, m, values, true);
-  if (direct) return along(x, step.a.end, m + 1, values, true);
-  return along(by_target(along(x, 0, step.a.begin, values, false), true), m + 1, end, values, false);
-}
-
-StepSolver::Sides StepSolver::sides(const Step& step, const JointValues& values, bool direct) const {
-  Sides s;
-  s.is_a_left = step.joint >= step.a.end && step.joint < step.b.begin;
-  s.a = next_to_joint(item(step.a), true, step, values, direct);
-  s.b = next_to_joint(item(step.b), false, step, values, direct);
-  const bool is_a_plane = step.a.kind == Kind::plane;
-  if (is_a_plane || step.b.kind == Kind::plane) {
-    const Item normal = {constant(is_a_plane ? step.a.direction : step.b.direction), true};
-    s.normal = next_to_joint(normal, is_a_plane, step, values, direct);
-  }
-  return s;
-}
-
-Vector3 StepSolver::difference(const Feature& feature, int cut, const JointValues& values) const {
-  const Item x = item(feature);
-  const int begin = feature.begin, end = feature.end, last = chain_.size();
-  if (cut <= begin) {
-    const Item far = by_target(along(x, end, last, values, true), false);
-    return along(x, cut, begin, values, false).v - along(far, 0, cut, values, true).v;
-  }
-  const Item far = by_target(along(x, 0, begin, values, false), true);
-  return along(x, end, cut, values, true).v - along(far, cut, last, values, false).v;
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Solutions
 
 std::optional<SolvedJoint> StepSolver::two_roots(
     int joint,
@@ -202,7 +77,7 @@ std::optional<SolvedJoint> StepSolver::two_roots(
     const Expression& value,
     const Expression& sign,
     const std::optional<Discriminant>& discriminant) {
-  const Basis& e = bases_[at(joint)];
+  const Basis& e = loop_.basis(joint);
   const Expression lu = dot(e.u, left), lw = dot(e.w, left), lh = dot(e.h, left);
   const Expression ru = dot(e.u, right), rw = dot(e.w, right), rh = dot(e.h, right);
   Expression A = sum_of_products(lu, ru, lw, rw), B = difference_of_products(lw, ru, lu, rw);
@@ -242,7 +117,7 @@ std::optional<SolvedJoint> StepSolver::two_roots(
 
 // The rotation that turns `from` towards `to`.
 std::optional<SolvedJoint> StepSolver::turned(int joint, const Vector3& from, const Vector3& to, bool is_backward) {
-  const Basis& e = bases_[at(joint)];
+  const Basis& e = loop_.basis(joint);
   const Expression au = dot(e.u, to), aw = dot(e.w, to), bu = dot(e.u, from), bw = dot(e.w, from);
   Expression c = sum_of_products(au, bu, aw, bw), s = difference_of_products(aw, bu, au, bw);
   const Expression a_square = square(au) + square(aw), b_square = square(bu) + square(bw);
@@ -276,22 +151,23 @@ std::optional<SolvedJoint> StepSolver::by_vector(const Step& step, const JointVa
   const int m = step.joint;
   const Feature& f = step.b;
   const bool is_backward = m >= f.begin;
-  const Item x = item(f);
+  const Item x = loop_.item(f);
   Item from, to;
   if (!is_backward) {
-    from = along(x, m + 1, f.begin, values, false);
-    to = along(by_target(along(x, f.end, chain_.size(), values, true), false), 0, m, values, true);
+    from = loop_.along(x, m + 1, f.begin, values, false);
+    to = loop_.along(loop_.by_target(loop_.along(x, f.end, chain_.size(), values, true), false), 0, m, values, true);
   } else {
     // Seen from the other side, the joint turns by the opposite angle.
-    from = along(x, f.end, m, values, true);
-    to = along(by_target(along(x, 0, f.begin, values, false), true), m + 1, chain_.size(), values, false);
+    from = loop_.along(x, f.end, m, values, true);
+    to = loop_.along(
+        loop_.by_target(loop_.along(x, 0, f.begin, values, false), true), m + 1, chain_.size(), values, false);
   }
   if (!chain_.axis(m).turns) {
-    const Expression distance = dot(bases_[at(m)].h, to.v - from.v);
+    const Expression distance = dot(loop_.basis(m).h, to.v - from.v);
     return SolvedJoint{{is_backward ? -distance : distance, graph_.one()}, {}};
   }
   if (x.is_direction) return turned(m, from.v, to.v, is_backward);
-  const Vector3 origin = axis_point(m);
+  const Vector3 origin = loop_.axis_point(m);
   return turned(m, from.v - origin, to.v - origin, is_backward);
 }
 
@@ -302,14 +178,14 @@ StepSolver::Discriminant StepSolver::of_aligned(
     const Vector3& a_far,
     const Vector3& b_far,
     const Expression& value) const {
-  const Vector3& h = bases_[at(joint)].h;
+  const Vector3& h = loop_.basis(joint).h;
   const Expression ah = dot(h, a), bh = dot(h, b);
   const Vector3 across = cross(a, h);
   const Expression across_square = ah.is_constant() ? graph_.one() - square(ah) : dot(across, across);
   Expression far_square;
   if (a_far[0].is_constant() && a_far[1].is_constant() && a_far[2].is_constant()) {
     const auto number = [](const Expression& e) { return e.is_zero() ? 0.0 : e.number().value(); };
-    const Basis e = basis_of({number(a_far[0]), number(a_far[1]), number(a_far[2])});
+    const Basis e = loop_.basis_of({number(a_far[0]), number(a_far[1]), number(a_far[2])});
     far_square = square(dot(e.u, b_far)) + square(dot(e.w, b_far));
   } else {
     const Vector3 far = cross(a_far, b_far);
@@ -320,12 +196,13 @@ StepSolver::Discriminant StepSolver::of_aligned(
 
 std::optional<SolvedJoint> StepSolver::by_angle(const Step& step, const JointValues& values, const Expression& sign) {
   const int m = step.joint;
-  const Sides s = sides(step, values, false);
-  const Vector3 a0 = item(step.a).v, &left = s.is_a_left ? s.a.v : s.b.v, &right = s.is_a_left ? s.b.v : s.a.v;
-  const Item b = item(step.b);
-  const Vector3 b_far = s.is_a_left ? around(b, step, values).v : along(b, step.a.end, step.b.begin, values, false).v;
+  const Sides s = loop_.sides(step, values, false);
+  const Vector3 a0 = loop_.item(step.a).v, &left = s.is_a_left ? s.a.v : s.b.v, &right = s.is_a_left ? s.b.v : s.a.v;
+  const Item b = loop_.item(step.b);
+  const Vector3 b_far =
+      s.is_a_left ? loop_.around(b, step, values).v : loop_.along(b, step.a.end, step.b.begin, values, false).v;
   const Expression value = dot(a0, b_far);
-  const Vector3& h = bases_[at(m)].h;
+  const Vector3& h = loop_.basis(m).h;
   std::optional<Discriminant> discriminant;
   if (!is_almost_zero(value - dot(h, left) * dot(h, right)))
     discriminant = of_aligned(m, s.a.v, s.b.v, a0, b_far, value);
@@ -337,25 +214,26 @@ std::optional<SolvedJoint> StepSolver::by_distance(
     const JointValues& values,
     const Expression& sign) {
   const int m = step.joint;
-  const Sides s = sides(step, values, false);
-  const Item b = item(step.b);
-  const Item b_far = s.is_a_left ? around(b, step, values) : along(b, step.a.end, step.b.begin, values, false);
-  const Vector3 d = b_far.v - item(step.a).v;
+  const Sides s = loop_.sides(step, values, false);
+  const Item b = loop_.item(step.b);
+  const Item b_far =
+      s.is_a_left ? loop_.around(b, step, values) : loop_.along(b, step.a.end, step.b.begin, values, false);
+  const Vector3 d = b_far.v - loop_.item(step.a).v;
   Vector3 left = s.is_a_left ? s.a.v : s.b.v, right = s.is_a_left ? s.b.v : s.a.v;
   if (!chain_.axis(m).turns) {
     // |left - (right + h t)|^2 = |d|^2
     const Vector3 between = left - right;
-    const Expression middle = dot(bases_[at(m)].h, between);
+    const Expression middle = dot(loop_.basis(m).h, between);
     const Expression rest = square(middle) - dot(between, between) + dot(d, d);
     const Expression root = sign * sqrt(0.5 * (rest + magnitude(rest)));
     return SolvedJoint{{middle + root, graph_.one()}, root};
   }
-  const Vector3 origin = axis_point(m);
+  const Vector3 origin = loop_.axis_point(m);
   left -= origin;
   right -= origin;
   Expression value;
   if (step.equation == Equation::distance_in_plane) {
-    const Basis plane = basis_of(step.normal), &own = bases_[at(m)];
+    const Basis plane = loop_.basis_of(step.normal), &own = loop_.basis(m);
     const auto in_plane = [](const Basis& e, const Vector3& v) { return square(dot(e.u, v)) + square(dot(e.w, v)); };
     value =
         0.5 * (in_plane(own, left) + in_plane(own, right) - in_plane(plane, d)) + dot(own.h, left) * dot(own.h, right);
@@ -375,24 +253,24 @@ std::optional<SolvedJoint> StepSolver::by_height(const Step& step, const JointVa
     if (const auto meeting = common_point(chain_, std::min(plane.begin, m), std::max(plane.begin, m) + 1))
       return at_meeting_axes(step, values, sign, without_rounding(chain_, *meeting));
 
-  const Sides s = sides(step, values, false);
+  const Sides s = loop_.sides(step, values, false);
   const auto seen = [&](const Item& b) {
-    return s.is_a_left ? around(b, step, values) : along(b, step.a.end, step.b.begin, values, false);
+    return s.is_a_left ? loop_.around(b, step, values) : loop_.along(b, step.a.end, step.b.begin, values, false);
   };
-  const Vector3 a0 = item(step.a).v, b_far = seen(item(step.b)).v;
-  const Expression height = is_a_plane ? dot(constant(plane.direction), b_far - a0)
-                                       : dot(seen({constant(plane.direction), true}).v, a0 - b_far);
+  const Vector3 a0 = loop_.item(step.a).v, b_far = seen(loop_.item(step.b)).v;
+  const Expression height = is_a_plane ? dot(loop_.constant(plane.direction), b_far - a0)
+                                       : dot(seen({loop_.constant(plane.direction), true}).v, a0 - b_far);
   const Vector3 &point = is_a_plane ? s.b.v : s.a.v, &of_plane = is_a_plane ? s.a.v : s.b.v;
   const bool is_normal_left = is_a_plane == s.is_a_left;
   const Vector3& normal = s.normal.v;
   if (!chain_.axis(m).turns) {
-    const Expression slope = dot(normal, bases_[at(m)].h);
+    const Expression slope = dot(normal, loop_.basis(m).h);
     if (is_almost_zero(slope)) return std::nullopt;
     // The joint moves what is on the right: the point, or the plane.
     const Expression position = (height - dot(normal, point - of_plane)) / (is_normal_left ? slope : -slope);
     return SolvedJoint{{position, graph_.one()}, {}};
   }
-  const Vector3 origin = axis_point(m);
+  const Vector3 origin = loop_.axis_point(m);
   const Expression value = height + dot(normal, of_plane - origin);
   const Vector3 arm = point - origin;
   return is_normal_left ? two_roots(m, normal, arm, value, sign, {}) : two_roots(m, arm, normal, value, sign, {});
@@ -406,17 +284,19 @@ std::optional<SolvedJoint> StepSolver::at_meeting_axes(
     const Numbers3& meeting) {
   const int m = step.joint;
   const bool is_a_plane = step.a.kind == Kind::plane, is_a_left = m >= step.a.end && m < step.b.begin;
-  const Vector3 normal = constant(is_a_plane ? step.a.direction : step.b.direction), origin = constant(meeting);
-  const Item point = item(is_a_plane ? step.b : step.a);
-  const Vector3 arm = next_to_joint(point, !is_a_plane, step, values, false).v - origin;
+  const Vector3 normal = loop_.constant(is_a_plane ? step.a.direction : step.b.direction),
+                origin = loop_.constant(meeting);
+  const Item point = loop_.item(is_a_plane ? step.b : step.a);
+  const Vector3 arm = loop_.next_to_joint(point, !is_a_plane, step, values, false).v - origin;
   Item far;
   if (is_a_plane)
-    far = is_a_left ? around(point, step, values) : along(point, step.a.end, step.b.begin, values, false);
+    far = is_a_left ? loop_.around(point, step, values) : loop_.along(point, step.a.end, step.b.begin, values, false);
   else if (is_a_left)
-    far =
-        along(by_target(along(point, 0, step.a.begin, values, false), true), step.b.end, chain_.size(), values, false);
+    far = loop_.along(
+        loop_.by_target(loop_.along(point, 0, step.a.begin, values, false), true), step.b.end, chain_.size(), values,
+        false);
   else
-    far = along(point, step.a.end, step.b.begin, values, true);
+    far = loop_.along(point, step.a.end, step.b.begin, values, true);
   const Vector3 far_arm = far.v - origin;
   const Expression value = dot(normal, far_arm);
   const Discriminant discriminant = of_aligned(m, normal, arm, normal, far_arm, value);
@@ -448,15 +328,15 @@ std::optional<SolvedJoint> StepSolver::solved(const Step& step, const JointValue
 
 Expression StepSolver::root(const Step& step, const JointValues& values) const {
   const int m = step.joint;
-  const Basis& e = bases_[at(m)];
+  const Basis& e = loop_.basis(m);
   const JointValue& joint = *values[at(m)];
-  const Sides s = sides(step, values, true);
+  const Sides s = loop_.sides(step, values, true);
   const bool is_a_plane = step.a.kind == Kind::plane;
   if (!chain_.axis(m).turns) {
     const Vector3 between = s.is_a_left ? s.a.v - s.b.v : s.b.v - s.a.v;
     return joint.sine - dot(e.h, between);
   }
-  const Vector3 origin = axis_point(m);
+  const Vector3 origin = loop_.axis_point(m);
   const auto arm = [&](const Item& x, bool is_plane) {
     return is_plane ? s.normal.v : x.is_direction ? x.v : x.v - origin;
   };

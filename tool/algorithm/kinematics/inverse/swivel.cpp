@@ -125,7 +125,7 @@ std::optional<SwivelPlan> swivel_plan(const SerialChain& chain) {
   std::vector<JointValues> values;
   for (const Branch& branch : swivel_branches(lab.graph, plan, lab.target, lab.references, swivel, nullptr))
     values.push_back(branch.values);
-  plan.closure = cheapest_closure(lab.graph, {lab.graph, chain, lab.target, lab.references}, chain, values);
+  plan.closure = cheapest_closure(lab.graph, {lab.graph, chain, lab.target}, chain, values);
   return plan;
 }
 
@@ -137,14 +137,15 @@ std::vector<Branch> swivel_branches(
     const Expression& swivel,
     const std::vector<Expression>* signs) {
   StepSolver solver(graph, plan.chain, target, references);
+  const TargetLoop& loop = solver.loop();
   graph.begin_section("swivel", "swivel");
   const Vector3 S = constant(graph, plan.shoulder_point), W = constant(graph, plan.wrist_point);
   const Vector3 axis = constant(graph, plan.chain.axis(kElbow).direction);
-  const Line l = line(graph, plan, solver.of_target(W, false) - S);
+  const Line l = line(graph, plan, loop.of_target(W, false) - S);
   const Expression s = sin(swivel), c = cos(swivel);
   const Vector3 n0 = c * l.n + s * l.across, across = cross(l.u, n0);
   std::array<Vector3, 3> columns;
-  for (std::size_t k = 0; k < 3; ++k) columns[k] = solver.of_target(unit_vector(graph, k), true);
+  for (std::size_t k = 0; k < 3; ++k) columns[k] = loop.of_target(unit_vector(graph, k), true);
   const Matrix3 whole = of_columns(columns);
 
   std::vector<Expression> of_elbow = {graph.one(), graph.constant(-1.0)};
@@ -157,13 +158,13 @@ std::vector<Branch> swivel_branches(
     if (!elbow) return {};
     values[at(kElbow)] = elbow->value;
     // The same line in coordinates of the link before the elbow, where its axis is known too.
-    const Vector3 u3 = unit(graph, solver.moved(W, false, values, kElbow, kElbow + 1) - S);
+    const Vector3 u3 = unit(graph, loop.moved(W, false, values, kElbow, kElbow + 1) - S);
     Matrix3 upper;
     add_product(upper, l.u, u3);
     add_product(upper, n0, axis);
     add_product(upper, across, cross(u3, axis));
     for (std::size_t k = 0; k < 3; ++k)
-      columns[k] = multiply(upper, solver.moved(unit_vector(graph, k), true, values, kElbow, kElbow + 1));
+      columns[k] = multiply(upper, loop.moved(unit_vector(graph, k), true, values, kElbow, kElbow + 1));
     const Matrix3 lower = transposed(of_columns(columns)) * whole;
 
     StepSolver of_shoulder = part_solver(graph, plan.shoulder, upper, references, 0);
@@ -193,10 +194,10 @@ std::vector<Branch> swivel_branches(
 }
 
 Expression swivel_of(Graph& graph, const SwivelPlan& plan, const JointValues& values) {
-  const StepSolver solver(graph, plan.chain, {}, std::vector<Expression>(kJoints, graph.constant(0.0)));
+  const TargetLoop loop(graph, plan.chain, {});
   const Vector3 S = constant(graph, plan.shoulder_point), W = constant(graph, plan.wrist_point);
-  const Line l = line(graph, plan, solver.moved(W, false, values, 0, kElbow + 1) - S);
-  const Vector3 n0 = solver.moved(constant(graph, plan.chain.axis(kElbow).direction), true, values, 0, kElbow);
+  const Line l = line(graph, plan, loop.moved(W, false, values, 0, kElbow + 1) - S);
+  const Vector3 n0 = loop.moved(constant(graph, plan.chain.axis(kElbow).direction), true, values, 0, kElbow);
   return atan2(dot(n0, l.across), dot(n0, l.n));
 }
 

@@ -101,10 +101,13 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     if (k != chain.given) (search.found[at(k)] ? found : others).push_back(chain.axis(k).name);
   const std::string follow = found.empty() ? "" : list(found) + (found.size() == 1 ? " follows, " : " follow, ");
   const std::string misses = near_misses(chain);
-  return {
-      fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
-      misses.empty() ? kAnyChain
-                     : "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF"};
+  std::string hint = kAnyChain;
+  if (!arguments.empty())
+    hint = fmt::format(
+        "closed forms exist with {}; a search over that joint finds all positions: <robcogen/generic/all_solutions.h>",
+        list(arguments));
+  if (!misses.empty()) hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";
+  return {fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses), hint};
 }
 
 }  // namespace robcogen::algorithm::inversion
