@@ -58,6 +58,7 @@ struct LoadOptions {
   std::optional<std::filesystem::path> desired = {};       // nullopt: the default list
   bool strict = false;                                     // see promote_strict_warnings
   import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
+  std::optional<std::filesystem::path> srdf = {};          // pairs of links of a URDF that are not checked for collisions
   std::string robot = {};                                  // which one of a scene in MJCF: see MjcfOptions
   ChangeOptions changes = {};                              // of robots
   bool lists_parameters = false;                           // adds a note with the model's parameters
