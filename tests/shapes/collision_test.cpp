@@ -21,8 +21,8 @@ Numbers run(const symbolic::Program& program, const Numbers& q, const std::strin
   return symbolic::interpret<double>(program, {{"q", q}}).at(output);
 }
 
-// A joint about z, one about y and one about x, each 0.5 m above the last one in its own link, with a prismatic joint along z
-// at the end. Link k has the shape `shapes[k]`; that of the base is the first.
+// A joint about z, one about y and one about x, each 0.5 m above the last one in its own link, with a prismatic joint
+// along z at the end. Link k has the shape `shapes[k]`; that of the base is the first.
 std::string chain(const std::array<std::string, 5>& shapes) {
   std::string text = "<robot name='chain'>";
   for (std::size_t k = 0; k < 5; ++k)
@@ -30,9 +30,10 @@ std::string chain(const std::array<std::string, 5>& shapes) {
             (shapes[k].empty() ? "" : "<collision>" + shapes[k] + "</collision>") + "</link>";
   const char* const axes[] = {"0 0 1", "0 1 0", "1 0 0", "0 0 1"};
   for (std::size_t k = 0; k < 4; ++k)
-    text += "<joint name='j" + std::to_string(k) + "' type='" + (k == 3 ? "prismatic" : "revolute") + "'><parent link='l" +
-            std::to_string(k) + "'/><child link='l" + std::to_string(k + 1) + "'/><origin xyz='0 0 0.5'/><axis xyz='" +
-            axes[k] + "'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
+    text += "<joint name='j" + std::to_string(k) + "' type='" + (k == 3 ? "prismatic" : "revolute") +
+            "'><parent link='l" + std::to_string(k) + "'/><child link='l" + std::to_string(k + 1) +
+            "'/><origin xyz='0 0 0.5'/><axis xyz='" + axes[k] +
+            "'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
   return text + "</robot>";
 }
 
@@ -99,15 +100,17 @@ Robot robot_of(const Folder& folder, const std::string& text, const driver::Load
 }
 
 const std::array<std::string, 5> kShapes = {
-    placed("<capsule radius='0.1' length='0.8'/>", "0.3 0 0", "0 1.2 0.4"), placed("<sphere radius='0.05'/>", "0.1 0.2 0.3"),
-    placed("<capsule radius='0.07' length='0.4'/>", "0 0 0.2"), placed("<cylinder radius='0.08' length='0.6'/>", "0 0.1 0.3", "0.5 0 0"),
+    placed("<capsule radius='0.1' length='0.8'/>", "0.3 0 0", "0 1.2 0.4"),
+    placed("<sphere radius='0.05'/>", "0.1 0.2 0.3"), placed("<capsule radius='0.07' length='0.4'/>", "0 0 0.2"),
+    placed("<cylinder radius='0.08' length='0.6'/>", "0 0.1 0.3", "0.5 0 0"),
     placed("<sphere radius='0.125'/>", "0 0 0.1")};
 
 std::vector<Numbers> states(std::size_t count) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> uniform(-2, 2);
   std::vector<Numbers> list = {{0, 0, 0, 0}};
-  while (list.size() < count) list.push_back({uniform(random), uniform(random), uniform(random), 0.2 * uniform(random)});
+  while (list.size() < count)
+    list.push_back({uniform(random), uniform(random), uniform(random), 0.2 * uniform(random)});
   return list;
 }
 
@@ -149,7 +152,8 @@ TEST(Collision, DistanceIsThatOfTheNearestPair) {
       for (const auto& [side, index] : {std::pair<std::size_t, std::size_t>{0, i}, {1, k}})
         for (std::size_t e = 0; e < 2; ++e) segments[side][e] = in_base(index, q, robot.capsules[index].ends[e]);
       expected = std::min(
-          expected, distance_of_segments(segments[0], segments[1]) - robot.capsules[i].radius - robot.capsules[k].radius);
+          expected,
+          distance_of_segments(segments[0], segments[1]) - robot.capsules[i].radius - robot.capsules[k].radius);
     }
     EXPECT_NEAR(run(program, q, "distance")[0], expected, 1e-6);
     has_overlap = has_overlap || expected < 0;
@@ -161,7 +165,8 @@ TEST(Collision, DistanceIsThatOfTheNearestPair) {
 TEST(Collision, DistanceByHand) {
   const Folder folder;
   const Robot robot = robot_of(
-      folder, chain({placed("<sphere radius='0.25'/>", "0 0 0"), "", "", "", placed("<sphere radius='0.25'/>", "0 0 0")}));
+      folder,
+      chain({placed("<sphere radius='0.25'/>", "0 0 0"), "", "", "", placed("<sphere radius='0.25'/>", "0 0 0")}));
   const symbolic::Program program = algorithm::self_distance(robot.tree(), "d");
   EXPECT_DOUBLE_EQ(run(program, {0, 0, 0, 0}, "distance")[0], 1.5);
   EXPECT_DOUBLE_EQ(run(program, {1, 0, 0, -0.5}, "distance")[0], 1.0);
@@ -201,7 +206,8 @@ TEST(Collision, GradientAgreesWithDifferences) {
 TEST(Collision, GradientIsDefinedWherePairsTie) {
   const Folder folder;
   const std::string sphere = "<geometry><sphere radius='0.1'/></geometry>";
-  std::string text = chain({placed("<sphere radius='0.1'/>", "0.3 0 0"), "", "", "", placed("<sphere radius='0.1'/>", "0 0 0")});
+  std::string text =
+      chain({placed("<sphere radius='0.1'/>", "0.3 0 0"), "", "", "", placed("<sphere radius='0.1'/>", "0 0 0")});
   text.insert(text.find("</link>"), "<collision><origin xyz='-0.3 0 0'/>" + sphere + "</collision>");
   const Robot robot = robot_of(folder, text);
   ASSERT_EQ(robot.capsules.size(), 3u);
@@ -218,7 +224,8 @@ TEST(Collision, PairsOfAnSrdf) {
   const Folder folder;
   driver::LoadOptions options = checked();
   options.srdf = folder.file(
-      "r.srdf", "<robot><disable_collisions link1='l4' link2='l0'/><disable_collisions link1='l0' link2='l1'/></robot>");
+      "r.srdf",
+      "<robot><disable_collisions link1='l4' link2='l0'/><disable_collisions link1='l0' link2='l1'/></robot>");
   const Robot robot = robot_of(folder, chain({kShapes[0], kShapes[1], "", "", kShapes[4]}), options);
   using Pairs = std::vector<std::array<std::size_t, 2>>;
   EXPECT_EQ(model::collision_pairs(robot.tree(), robot.capsules), (Pairs{{1, 2}}));
@@ -230,9 +237,10 @@ TEST(Collision, CapsulesContainBoxesAndMeshes) {
   folder.file("t.obj", kTetrahedron);
   folder.file("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n");
   const Robot robot = robot_of(
-      folder, chain(
-                  {placed("<box size='0.2 0.3 1'/>", "0 0 0"), placed("<mesh filename='t.obj' scale='1 2 0.5'/>", "0 0 0"),
-                   placed("<mesh filename='flat.obj'/>", "0 0 0"), placed("<box size='1 1 1'/>", "0 0 0"), ""}));
+      folder,
+      chain(
+          {placed("<box size='0.2 0.3 1'/>", "0 0 0"), placed("<mesh filename='t.obj' scale='1 2 0.5'/>", "0 0 0"),
+           placed("<mesh filename='flat.obj'/>", "0 0 0"), placed("<box size='1 1 1'/>", "0 0 0"), ""}));
   const std::vector<std::vector<Point>> points = {
       {{0.1, 0.15, 0.5}, {-0.1, 0.15, -0.5}, {0.1, -0.15, 0.5}},
       {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 0.5}},
@@ -242,7 +250,9 @@ TEST(Collision, CapsulesContainBoxesAndMeshes) {
   for (std::size_t c = 0; c < 4; ++c) {
     const model::Capsule& capsule = robot.capsules[c];
     for (const Point& p : points[c])
-      EXPECT_LE(least([&](double t) { return distance(p, between(capsule.ends[0], capsule.ends[1], t)); }), capsule.radius + 1e-9)
+      EXPECT_LE(
+          least([&](double t) { return distance(p, between(capsule.ends[0], capsule.ends[1], t)); }),
+          capsule.radius + 1e-9)
           << capsule.name;
   }
   // Along the long edge of the box, with the diagonal of the others.
@@ -274,7 +284,8 @@ TEST(Collision, FunctionsExistWhereTheyAreAskedFor) {
   const Loaded without = loaded(folder.file("bare.urdf", chain({})), checked());
   EXPECT_EQ(
       without.messages().back(),
-      "unavailable-group: 'collision' of robot 'chain' is not available: it has no collision shapes, which only a URDF can "
+      "unavailable-group: 'collision' of robot 'chain' is not available: it has no collision shapes, which only a URDF "
+      "can "
       "have");
 }
 

@@ -14,10 +14,11 @@ namespace robcogen::test {
 class Folder {
  public:
   Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              (std::string("robcogen_shapes_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+      : path_(
+            std::filesystem::temp_directory_path() /
+            (std::string("robcogen_shapes_") +
+             ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
+             ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     std::filesystem::remove_all(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }

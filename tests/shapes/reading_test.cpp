@@ -43,7 +43,8 @@ TEST(Shapes, AreReadInTheFrameOfTheirLink) {
   ASSERT_TRUE(read.model) << read.diagnostics.render();
   EXPECT_EQ(read.messages(), std::vector<std::string>());
   ASSERT_EQ(read.shapes().size(), 4u);
-  const auto expect = [&](std::size_t k, Shape::Kind kind, Shape::Use use, std::array<double, 3> size, const char* body) {
+  const auto expect = [&](std::size_t k, Shape::Kind kind, Shape::Use use, std::array<double, 3> size,
+                          const char* body) {
     const Shape& shape = read.shapes()[k];
     EXPECT_EQ(shape.kind, kind) << k;
     EXPECT_EQ(shape.use, use) << k;
@@ -65,7 +66,8 @@ TEST(Shapes, AreReadInTheFrameOfTheirLink) {
 
 TEST(Shapes, AreReadOnlyWhereTheyAreAskedFor) {
   const Folder folder;
-  const auto file = folder.file("r.urdf", arm("<collision><geometry><mesh filename='none.stl'/></geometry></collision>"));
+  const auto file =
+      folder.file("r.urdf", arm("<collision><geometry><mesh filename='none.stl'/></geometry></collision>"));
   const Loaded plain = loaded(file, {});
   ASSERT_TRUE(plain.model);
   EXPECT_TRUE(plain.shapes().empty());
@@ -166,7 +168,8 @@ TEST(Shapes, FindMeshesOfPackages) {
 
 TEST(Shapes, MoveWithLockedJoints) {
   const Folder folder;
-  const auto file = folder.file("r.urdf", arm("<collision><origin xyz='1 0 0'/><geometry><sphere radius='1'/></geometry></collision>"));
+  const auto file = folder.file(
+      "r.urdf", arm("<collision><origin xyz='1 0 0'/><geometry><sphere radius='1'/></geometry></collision>"));
   driver::LoadOptions options = all_shapes();
   options.changes.locks = {"turn=0"};
   const Loaded read = loaded(file, options);

@@ -66,9 +66,9 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
   const bool may_have_several = language == driver::Language::mjcf || language == driver::Language::sdf;
   if (!options.robot.empty() && !may_have_several)
     throw Failure{
-        wrong_usage, fmt::format(
-                         "robcogen: error: --robot is for MJCF and SDF, whose scenes have several; '{}' has one",
-                         model.string())};
+        wrong_usage,
+        fmt::format(
+            "robcogen: error: --robot is for MJCF and SDF, whose scenes have several; '{}' has one", model.string())};
   if (!for_urdf && !urdf.free_mimic_joints) return;
   if (language == driver::Language::urdf) return;
   if (language == driver::Language::mjcf && !for_urdf) return;
@@ -117,7 +117,8 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   if (!srdf.empty() && driver::language_of(file) != driver::Language::urdf)
     throw Failure{
         wrong_usage,
-        fmt::format("robcogen: error: --srdf applies to robots in URDF, whose collision shapes are read: not to '{}'", file)};
+        fmt::format(
+            "robcogen: error: --srdf applies to robots in URDF, whose collision shapes are read: not to '{}'", file)};
   if (!quiet) report_missing_folders(import_folders, messages);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;

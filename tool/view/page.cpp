@@ -144,8 +144,8 @@ Json data_of(
   data["shapes"] = std::move(shapes.shapes);
   data["meshes"] = std::move(shapes.meshes);
   if (shapes.shown_triangles < shapes.triangles)
-    data["about"] = fmt::format(
-        "{} · meshes simplified: {} of {} triangles", about, shapes.shown_triangles, shapes.triangles);
+    data["about"] =
+        fmt::format("{} · meshes simplified: {} of {} triangles", about, shapes.shown_triangles, shapes.triangles);
   return data;
 }
 

@@ -106,13 +106,8 @@ PageShapes page_shapes(const std::vector<Shape>& shapes) {
     if (shape.mesh) result.triangles += shape.mesh->faces.size();
   std::map<const TriangleMesh*, std::pair<std::size_t, std::size_t>> shown;  // index, number of triangles
   for (const Shape& shape : shapes) {
-    Json data = {
-        {"link", shape.link},
-        {"body", shape.body},
-        {"isVisual", shape.use == Shape::Use::visual},
-        {"kind", name_of(shape.kind)},
-        {"size", shape.size},
-        {"pose", pose_of(shape.placement)}};
+    Json data = {{"link", shape.link},          {"body", shape.body}, {"isVisual", shape.use == Shape::Use::visual},
+                 {"kind", name_of(shape.kind)}, {"size", shape.size}, {"pose", pose_of(shape.placement)}};
     if (shape.mesh) {
       auto known = shown.find(shape.mesh.get());
       if (known == shown.end()) {

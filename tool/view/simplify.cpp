@@ -50,7 +50,8 @@ TriangleMesh clustered(const TriangleMesh& mesh, const Bounds& bounds, int cells
   TriangleMesh result;
   for (const std::array<double, 4>& sum : sums)
     result.vertices.push_back(
-        {static_cast<float>(sum[0] / sum[3]), static_cast<float>(sum[1] / sum[3]), static_cast<float>(sum[2] / sum[3])});
+        {static_cast<float>(sum[0] / sum[3]), static_cast<float>(sum[1] / sum[3]),
+         static_cast<float>(sum[2] / sum[3])});
   std::set<std::array<std::uint32_t, 3>> known;
   for (const auto& face : mesh.faces) {
     std::array<std::uint32_t, 3> f = {cluster_of[face[0]], cluster_of[face[1]], cluster_of[face[2]]};
