@@ -4,7 +4,8 @@
 #       TARGET hyl                  # the library; alias ${PROJECT_NAME}::hyl
 #       MODEL hyl.kindsl            # the robot, .kindsl, .urdf, .sdf, .xml (URDF or MJCF) or .urdf.xacro, relative to the calling
 #                                   # CMakeLists.txt
-#       [IMPORT_DIRS folder…]       # folders to search for documents that MODEL imports, and models that an SDF includes
+#       [IMPORT_DIRS folder…]       # folders to search for documents that MODEL imports, models that an SDF includes, and
+#                                   # packages with meshes of a URDF
 #       [XACRO_ARGS name:=value…]   # for a .urdf.xacro, which the build expands with the program `xacro`, or with the one
 #                                   # that the variable ROBCOGEN_XACRO names; included files are dependencies
 #       [FLOATING_BASE]             # URDF: the root link floats (a robot document states it)
@@ -17,6 +18,7 @@
 #                                   # quantities that become parameters, such as tool0.inertia, *.mass, joint2.rotor; their
 #                                   # values in the document are the defaults
 #       [ROBOT name]                # the robot among several in MODEL: in MJCF its first body, in SDF its model
+#       [SRDF arm.srdf]             # URDF: pairs of links that functions of the group `collision` do not check
 #       [FRICTION_VELOCITY number]  # URDF, with PASSIVE_FORCES: friction is smooth, friction qd / sqrt(qd^2 + number^2)
 #       [DESIRED hyl.dtdsl]         # the transforms and Jacobians to generate; without it and FRAMES, those of the frames at
 #                                   # which limbs end
@@ -134,7 +136,7 @@ _robcogen_read_groups()
 
 function(robcogen_add_robot)
   set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
-  set(values TARGET MODEL ROBOT DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
+  set(values TARGET MODEL ROBOT SRDF DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
   set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES GRADIENTS TANGENTS FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES GPU_ARCHITECTURES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
   get_property(groups GLOBAL PROPERTY ROBCOGEN_GROUPS)
@@ -402,6 +404,9 @@ function(_robcogen_generate_arguments result)
   endif()
   if(NOT "${library_DESIRED}" STREQUAL "")
     list(APPEND arguments --desired ${library_DESIRED})
+  endif()
+  if(NOT "${library_SRDF}" STREQUAL "")
+    list(APPEND arguments --srdf ${library_SRDF})
   endif()
   if(library_ALGORITHMS)
     list(APPEND arguments --algorithms ${library_ALGORITHMS})

@@ -6,10 +6,13 @@
 # them. The headers of CLI11 and nlohmann-json are taken from there too, or else are packages. `cmake/bootstrap.sh sources FOLDER`
 # makes such a folder.
 #
-# Sets urdf_is_read, and urdf_includes and urdf_libraries if it is on.
+# Sets urdf_is_read, and urdf_includes and urdf_libraries if it is on; and assimp_is_linked, with assimp_includes and
+# assimp_library.
 set(ROBCOGEN_URDF AUTO CACHE STRING "Read URDFs, MJCF and SDF, with urdfdom: ON, OFF, or AUTO (where it is installed)")
 set_property(CACHE ROBCOGEN_URDF PROPERTY STRINGS AUTO ON OFF)
 set(ROBCOGEN_LIBRARY_SOURCES "" CACHE PATH "Folder of the sources of fmt, urdfdom, TinyXML and console_bridge, to link these statically")
+set(ROBCOGEN_ASSIMP AUTO CACHE STRING "Read meshes in other formats than STL and OBJ, with assimp: ON, OFF, or AUTO (where it is installed)")
+set_property(CACHE ROBCOGEN_ASSIMP PROPERTY STRINGS AUTO ON OFF)
 option(ROBCOGEN_STATIC "Link the generator with static libraries only, that of C included" OFF)
 
 find_package(Threads REQUIRED)
@@ -51,6 +54,21 @@ function(_robcogen_library target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR OFF CXX_CLANG_TIDY "" UNITY_BUILD OFF)
 endfunction()
+
+# Not by its CMake package, which needs packages that Debian does not install with it.
+set(assimp_is_linked OFF)
+if(ROBCOGEN_ASSIMP AND NOT ROBCOGEN_LIBRARY_SOURCES AND NOT ROBCOGEN_STATIC)
+  find_path(ROBCOGEN_ASSIMP_INCLUDE_DIR assimp/Importer.hpp)
+  find_library(ROBCOGEN_ASSIMP_LIBRARY assimp)
+  mark_as_advanced(ROBCOGEN_ASSIMP_INCLUDE_DIR ROBCOGEN_ASSIMP_LIBRARY)
+  if(ROBCOGEN_ASSIMP_INCLUDE_DIR AND ROBCOGEN_ASSIMP_LIBRARY)
+    set(assimp_is_linked ON)
+    set(assimp_includes ${ROBCOGEN_ASSIMP_INCLUDE_DIR})
+    set(assimp_library ${ROBCOGEN_ASSIMP_LIBRARY})
+  elseif(NOT ROBCOGEN_ASSIMP STREQUAL "AUTO")
+    message(FATAL_ERROR "ROBCOGEN_ASSIMP is ${ROBCOGEN_ASSIMP}, but assimp is missing (Debian: libassimp-dev)")
+  endif()
+endif()
 
 set(urdf_is_read OFF)
 if(NOT ROBCOGEN_LIBRARY_SOURCES)

@@ -9,6 +9,7 @@ import { pathToFileURL } from "node:url";
 
 import { elementsOf, quaternionOf, turnOf } from "../../tool/view/page/positions.js";
 import { makeRobot, makeState, postureOf, setCoordinate, swing } from "../../tool/view/page/posture.js";
+import { linkOfTriangle, makeShapes } from "../../tool/view/page/shapes.js";
 import { dot, place, principal, rotate } from "../../tool/view/page/vectors.js";
 
 const [tool, folder, robots] = process.argv.slice(2);
@@ -140,3 +141,47 @@ for (const size of [0, 1e-9, 1e-5, 0.7, 3.14159]) {
   assert.equal(state.q[0], -0.1);
 }
 console.log("the code of pages is right");
+
+// Surfaces of shapes are closed and turned outwards: the volume inside is that of the shape, or a little less where it is
+// round. A shape from all sides has only the edges that two faces have in common.
+{
+  const pose = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3]];
+  const shape = (kind, size, more = {}) => ({ link: 0, body: "b", isVisual: false, kind, size, pose, ...more });
+  // A tetrahedron: three edges of 2 m, in steps of 1/65535 of them.
+  const numbers = (list) => Buffer.from(new Uint16Array(list).buffer).toString("base64");
+  const points = numbers([0, 0, 0, 65535, 0, 0, 0, 65535, 0, 0, 0, 65535]);
+  const faces = numbers([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
+  const meshes = [{ low: [0, 0, 0], step: 2 / 65535, points, faces }];
+  const given = [
+    [shape("sphere", [0.5, 0, 0]), Math.PI / 6, 0],
+    [shape("box", [1, 2, 3]), 6, 12],
+    [shape("cylinder", [0.5, 2, 0]), Math.PI / 2, 48],
+    [shape("capsule", [0.5, 2, 0]), Math.PI / 2 + Math.PI / 6, 0],
+    [shape("mesh", [1, 1, 1], { mesh: 0 }), 8 / 6, 6],
+    [shape("mesh", [1, 3, -1], { mesh: 0 }), 4, 6],
+  ];
+  const volume = ({ points, faces }) =>
+    faces.reduce((sum, corners) => {
+      const [p, q, r] = corners.map((c) => points[c]);
+      const normal = [q[1] * r[2] - q[2] * r[1], q[2] * r[0] - q[0] * r[2], q[0] * r[1] - q[1] * r[0]];
+      return sum + dot(p, normal) / 6;
+    }, 0);
+  makeShapes({ shapes: given.map(([s]) => s), meshes }).forEach((made, k) => {
+    const [{ kind }, expected, sharp] = given[k];
+    near(volume(made), expected, 0.03 * expected, `volume of ${kind}`);
+    assert.ok(made.edges.every(({ normals }) => normals.length === 2), `${kind} is closed`);
+    assert.equal(made.edges.filter(({ isSharp }) => isSharp).length, sharp, `edges of ${kind}`);
+    made.normals.forEach((n) => near(dot(n, n), 1, 1e-12, "unit normal"));
+  });
+  // The box from (0, 1.5, 1.5) to (2, 2.5, 4.5): its axes are turned.
+  const box = makeShapes({ shapes: [shape("box", [1, 2, 3])] })[0].points;
+  [[0, 0, 2], [1, 1.5, 2.5], [2, 1.5, 4.5]].forEach(([k, low, high]) => {
+    near(Math.min(...box.map((p) => p[k])), low, 1e-15, "lower end");
+    near(Math.max(...box.map((p) => p[k])), high, 1e-15, "upper end");
+  });
+  const triangle = (link, x) => ({ link, corners: [{ x, y: 0 }, { x: x + 2, y: 0 }, { x, y: 2 }] });
+  const near_and_far = [triangle(3, 0), triangle(5, 0.5)];
+  assert.equal(linkOfTriangle(near_and_far, 0.75, 0.5), 5);
+  assert.equal(linkOfTriangle(near_and_far, 0.25, 0.5), 3);
+  assert.equal(linkOfTriangle(near_and_far, 3, 3), -1);
+}

@@ -245,6 +245,10 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "Further functions of a robot, each with the results of several functions in one call: 'NAME = FUNCTION + "
           "FUNCTION', such as 'control = joint_space_inertia + bias_forces'")
       ->allow_extra_args(false);
+  subcommand.add_option(
+      "--srdf", model.srdf,
+      "SRDF with the pairs of links of a URDF that are not checked for collisions; default those that a joint "
+      "connects");
   subcommand.add_flag("--strict", model.strict, kStrictHelp);
   subcommand
       .add_option_function<std::vector<std::string>>(
@@ -465,6 +469,9 @@ Action declare_view(CLI::App& application) {
   CLI::App* subcommand = application.add_subcommand("view", "Writes an HTML page that shows a robot and moves it");
   auto options = std::make_shared<ViewOptions>();
   declare_picture(*subcommand, *options, "HTML file to write");
+  subcommand->add_flag(
+      "--without-shapes", options->without_shapes,
+      "Leave out the visual and collision shapes of a URDF, and do not read its meshes");
   return [options] { return view(*options); };
 }
 

@@ -79,9 +79,10 @@ Status eval(const EvalOptions& options) {
   require_apart_from_output({"-", model.file, model.desired});
   // A function with the name of its group counts as named: loading reports why the robot cannot have it.
   const std::vector<std::string>& groups = algorithm::groups();
-  const bool is_group = std::find(groups.begin(), groups.end(), options.function) != groups.end();
-  const std::optional<driver::Model> loaded =
-      model.load(is_group ? std::vector<std::string>{options.function} : std::vector<std::string>());
+  std::vector<std::string> named;
+  if (std::find(groups.begin(), groups.end(), options.function) != groups.end()) named = {options.function};
+  if (algorithm::mentions_collisions(options.function)) named = {algorithm::kCollisionGroup};
+  const std::optional<driver::Model> loaded = model.load(named);
   if (!loaded) return wrong_input;
   require_apart_from_output(loaded->read);
   return evaluate_states(find_function(*loaded, options.function, model.steps));

@@ -116,7 +116,8 @@ std::vector<std::string> groups_of(const backend::Language& language, const std:
   std::vector<std::string> ordered;
   for (const std::string& group : algorithm::groups()) {
     const bool is_offered = language.groups.empty() || contains(language.groups, group);
-    if (!contains(asked, kAllGroups) && !contains(asked.empty() ? algorithm::default_groups() : asked, group)) continue;
+    const bool is_of_all = contains(asked, kAllGroups) && group != algorithm::kCollisionGroup;
+    if (!is_of_all && !contains(asked.empty() ? algorithm::default_groups() : asked, group)) continue;
     if (is_offered) {
       ordered.push_back(group);
     } else if (!named_groups(asked).empty()) {

@@ -66,9 +66,9 @@ void require_format(const std::filesystem::path& model, const FormatOptions& opt
   const bool may_have_several = language == driver::Language::mjcf || language == driver::Language::sdf;
   if (!options.robot.empty() && !may_have_several)
     throw Failure{
-        wrong_usage, fmt::format(
-                         "robcogen: error: --robot is for MJCF and SDF, whose scenes have several; '{}' has one",
-                         model.string())};
+        wrong_usage,
+        fmt::format(
+            "robcogen: error: --robot is for MJCF and SDF, whose scenes have several; '{}' has one", model.string())};
   if (!for_urdf && !urdf.free_mimic_joints) return;
   if (language == driver::Language::urdf) return;
   if (language == driver::Language::mjcf && !for_urdf) return;
@@ -114,6 +114,11 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
     throw Failure{
         wrong_usage,
         fmt::format("robcogen: error: {} applies to robots only, not to motions and transforms", for_robots)};
+  if (!srdf.empty() && driver::language_of(file) != driver::Language::urdf)
+    throw Failure{
+        wrong_usage,
+        fmt::format(
+            "robcogen: error: --srdf applies to robots in URDF, whose collision shapes are read: not to '{}'", file)};
   if (!quiet) report_missing_folders(import_folders, messages);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;
@@ -124,6 +129,9 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.import_folders = import_folders;
   options.lists_parameters = lists_parameters;
   options.groups = named_groups(groups);
+  // `all` does not have it: shapes, and the meshes of their files, are read on request.
+  const bool has_collisions = std::count(groups.begin(), groups.end(), algorithm::kCollisionGroup) > 0;
+  if (options.groups.empty() && has_collisions) options.groups = {algorithm::kCollisionGroup};
   using symbolic::DerivativeForm;
   for (const auto& [texts, form] :
        {std::pair{&derivatives, DerivativeForm::matrix},
@@ -134,6 +142,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   options.inverses = inverses;
   options.frames = frames;
   options.functions = functions;
+  if (!srdf.empty()) options.srdf = srdf;
   options.lists_absent_groups = std::count(groups.begin(), groups.end(), kAllGroups) > 0;
   std::optional<driver::Model> model = driver::load(file, options, diagnostics);
   report((quiet ? errors_of(diagnostics) : diagnostics).render(messages));

@@ -48,6 +48,7 @@ struct ModelOptions {
   std::vector<std::string> inverses;   // for robots
   std::vector<std::string> frames;     // for robots: names or patterns
   std::vector<std::string> functions;  // for robots: `name = function + function`
+  std::string srdf;                    // for robots in URDF: pairs of links without collision checks
   bool strict = false;
   FormatOptions format;
   std::vector<std::filesystem::path> import_folders;
@@ -71,7 +72,7 @@ struct ModelOptions {
       const backend::Features& features = {}) const;
 };
 
-// `--algorithms all`: every group that the robot and the language allow.
+// `--algorithms all`: every group that the robot and the language allow, except `collision`.
 inline constexpr const char* kAllGroups = "all";
 // The groups that were named one by one; empty for kAllGroups.
 std::vector<std::string> named_groups(const std::vector<std::string>& asked);

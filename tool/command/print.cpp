@@ -81,7 +81,9 @@ Status print_document(const PrintOptions& options) {
 
 // Of all functions, only the one with this program is traced.
 Status print_program(const PrintOptions& options) {
-  const std::optional<driver::Model> model = options.model.load();
+  std::vector<std::string> named;
+  if (algorithm::mentions_collisions(options.program)) named = {algorithm::kCollisionGroup};
+  const std::optional<driver::Model> model = options.model.load(named);
   if (!model) return wrong_input;
   require_apart_from_output(model->read);
   driver::Functions functions = driver::declare(*model, algorithm::groups());

@@ -70,6 +70,7 @@ struct ViewOptions {
   double azimuth = -60, elevation = 20;    // of the viewer, degrees
   bool pattern = false;                    // also draw the pattern of the joint-space inertia matrix
   bool plain = false;                      // draw links, joint axes and the base only
+  bool without_shapes = false;             // no visual and collision shapes on the page
 };
 Status draw(const ViewOptions& options);
 Status view(const ViewOptions& options);

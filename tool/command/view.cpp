@@ -166,7 +166,9 @@ Status draw(const ViewOptions& options) {
 Status view(const ViewOptions& options) {
   require_robot(options, "view", {".html", ".htm"});
   Diagnostics diagnostics;
-  const std::optional<driver::Model> model = options.model.load({}, diagnostics);
+  ModelOptions with_shapes = options.model;
+  if (!options.without_shapes) with_shapes.format.urdf.shapes = {.visuals = true, .collisions = true};
+  const std::optional<driver::Model> model = with_shapes.load({}, diagnostics);
   if (!model) return wrong_input;
   const view::ViewedRobot robot = view::viewed(*model, view::Purpose::page);
   const view::PageOptions page = {positions(options, robot, model->robot()->tree), parameters(options, robot)};

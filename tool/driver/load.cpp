@@ -21,6 +21,8 @@
 #include "import/mjcf.h"
 #include "import/names.h"
 #include "import/sdf.h"
+#include "import/srdf.h"
+#include "model/collision.h"
 #include "model/plausibility.h"
 
 namespace robcogen::driver {
@@ -78,6 +80,53 @@ bool require_robot(
   return false;
 }
 
+bool asks_for_collisions(const LoadOptions& options) {
+  const auto mentioned = [](const std::string& text) { return algorithm::mentions_collisions(text); };
+  return std::count(options.groups.begin(), options.groups.end(), algorithm::kCollisionGroup) > 0 ||
+         std::any_of(options.functions.begin(), options.functions.end(), mentioned) ||
+         std::any_of(options.derivatives.begin(), options.derivatives.end(), [&](const Derivative& derivative) {
+           return mentioned(derivative.function);
+         });
+}
+
+// The collision shapes, exactly, for the canonical text.
+std::string collisions_text(const model::KinematicTree& tree) {
+  std::string text;
+  const std::vector<model::Capsule> capsules = model::capsules(tree);
+  for (const model::Capsule& capsule : capsules) {
+    text += capsule.name;
+    for (const auto& end : capsule.ends)
+      for (const double x : end) text += " " + print_double(x);
+    text += " " + print_double(capsule.radius) + "\n";
+  }
+  for (const auto& [i, k] : model::collision_pairs(tree, capsules)) text += fmt::format("{} {}\n", i, k);
+  return text;
+}
+
+std::optional<Model> load_urdf(
+    const std::shared_ptr<const Source>& source,
+    const LoadOptions& options,
+    const model::Changes& changes,
+    Diagnostics& diagnostics) {
+  import::UrdfOptions urdf = options.urdf;
+  urdf.changes = changes;
+  urdf.shapes.folders = options.import_folders;
+  const bool is_checked = asks_for_collisions(options);
+  if (is_checked) urdf.shapes.collisions = urdf.shapes.are_checked = true;
+  std::optional<model::KinematicTree> tree = import::urdf(source, urdf, diagnostics);
+  if (!tree) return std::nullopt;
+  std::vector<std::filesystem::path> read = tree->geometry.files;
+  if (options.srdf && is_checked) {
+    if (!import::read_srdf(source_of(*options.srdf, options.open_texts), *tree, diagnostics)) return std::nullopt;
+    read.push_back(*options.srdf);
+  }
+  const std::string collisions = is_checked && options.prints_canonical ? collisions_text(*tree) : "";
+  Model model = foreign_model(std::move(*tree), options);
+  model.canonical += collisions;
+  model.read = std::move(read);
+  return model;
+}
+
 std::optional<Model> load_tree(
     const std::shared_ptr<const Source>& source,
     const std::filesystem::path& file,
@@ -105,12 +154,7 @@ std::optional<Model> load_tree(
     model.read = std::move(read->included);
     return model;
   }
-  if (language == Language::urdf) {
-    import::UrdfOptions urdf = options.urdf;
-    urdf.changes = changes;
-    std::optional<model::KinematicTree> tree = import::urdf(source, urdf, diagnostics);
-    return tree ? std::optional(foreign_model(std::move(*tree), options)) : std::nullopt;
-  }
+  if (language == Language::urdf) return load_urdf(source, options, changes, diagnostics);
   std::optional<import::RobotDocument> read = expanded(source, options, diagnostics);
   if (!read || !require_robot(read->document, file, options, diagnostics)) return std::nullopt;
   std::optional<model::KinematicTree> tree = import::kinematic_tree(read->document, changes, diagnostics);
@@ -258,6 +302,7 @@ void require_functions(const Robot& robot, const std::vector<std::string>& group
 void list_absent_groups(const Robot& robot, Diagnostics& diagnostics) {
   const std::vector<std::string>& of_contacts = algorithm::groups_of_contacts();
   for (const std::string& group : algorithm::groups()) {
+    if (group == algorithm::kCollisionGroup) continue;  // `all` does not ask for it
     std::string reason = algorithm::reason_of_absence(robot.tree, group, algorithm::Reasons::all);
     const bool needs_contacts = std::find(of_contacts.begin(), of_contacts.end(), group) != of_contacts.end();
     if (reason.empty() && needs_contacts && robot.desired.contacts.empty()) reason = "no contact frames are named";

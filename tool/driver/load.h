@@ -55,12 +55,13 @@ struct Model {
 };
 
 struct LoadOptions {
-  std::optional<std::filesystem::path> desired = {};       // nullopt: the default list
-  bool strict = false;                                     // see promote_strict_warnings
-  import::UrdfOptions urdf = {};                           // for robots in URDF; free_mimic_joints for MJCF too
-  std::string robot = {};                                  // which one of a scene in MJCF: see MjcfOptions
-  ChangeOptions changes = {};                              // of robots
-  bool lists_parameters = false;                           // adds a note with the model's parameters
+  std::optional<std::filesystem::path> desired = {};  // nullopt: the default list
+  bool strict = false;                                // see promote_strict_warnings
+  import::UrdfOptions urdf = {};                      // for robots in URDF; free_mimic_joints for MJCF too
+  std::optional<std::filesystem::path> srdf = {};     // pairs of links of a URDF that are not checked for collisions
+  std::string robot = {};                             // which one of a scene in MJCF: see MjcfOptions
+  ChangeOptions changes = {};                         // of robots
+  bool lists_parameters = false;                      // adds a note with the model's parameters
   std::vector<std::filesystem::path> import_folders = {};  // searched for parts of robots, after that of the document
   bool may_be_library = false;                             // imports and parts without a robot are accepted
   std::vector<std::string> groups = {};      // asked for by name: one that the robot cannot have is an error

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "import/shapes.h"
 #include "model/changes.h"
 #include "model/kinematic_tree.h"
 
@@ -25,6 +26,7 @@ struct UrdfOptions {
   // Negative masses and inertias are warnings, not errors.
   bool allow_implausible = false;
   model::Changes changes = {};
+  ShapeOptions shapes = {};
 };
 
 // Returns the kinematic tree of a URDF:

@@ -145,6 +145,15 @@ void declare_frames(Assembly& a) {
   }
 }
 
+void place_shapes(Assembly& a) {
+  for (std::size_t i = 0; i < a.link_count(); ++i) {
+    for (Shape shape : a.link(i).shapes) {
+      shape.link = static_cast<int>(i);
+      a.tree.geometry.shapes.push_back(std::move(shape));
+    }
+  }
+}
+
 // Stores the pose of the reference frame in the mass properties.
 void resolve_reference(Assembly& a, std::size_t index) {
   const DescribedLink& link = a.link(index);
@@ -389,6 +398,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
   if (diagnostics.error_count() > errors_before) return std::nullopt;
 
   resolve_limbs(a);
+  place_shapes(a);
   expand_spherical_joints(a.tree);
   a.tree.inertia_defects = inertia_defects(a.tree);
   report_inertia_defects(a.tree, diagnostics);

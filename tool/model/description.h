@@ -35,6 +35,7 @@ struct DescribedLink {
   Place reference_place;
   std::vector<DescribedChild> children;
   std::vector<DescribedFrame> frames;
+  std::vector<Shape> shapes = {};
   bool is_virtual = false;  // as in Link
 };
 

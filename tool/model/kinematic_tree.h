@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/drive.h"
+#include "model/geometry.h"
 #include "model/inverse_task.h"
 #include "model/loop.h"
 #include "model/placement.h"
@@ -196,6 +197,7 @@ class KinematicTree {
   std::vector<Parameter> parameters;
   std::vector<Limb> limbs = {};  // in the order of the document
   InertiaDefects inertia_defects = {};
+  Geometry geometry = {};  // as far as it was asked for
 
   // The number of independent coordinates: the length of qd, tau, …
   int dof() const { return static_cast<int>(joints.size() - couplings.size()); }

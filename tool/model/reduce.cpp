@@ -37,6 +37,7 @@ class Reduction {
     for (const std::size_t link : order_) place_joints(link);
     for (auto link = order_.rbegin(); link != order_.rend(); ++link) join_children(*link);
     for (const std::size_t link : order_) place_frames(link);
+    for (const std::size_t link : order_) place_shapes(link);
     for (const std::size_t link : order_)
       if (is_host(link)) lump_masses(link);
     for (DescribedJoint& joint : result_.joints) move_rotor(joint);
@@ -172,6 +173,15 @@ class Reduction {
     DescribedLink& host = own(hosts_[index].link);
     if (is_host(index)) host.frames.clear();
     host.frames.insert(host.frames.end(), frames.begin(), frames.end());
+  }
+
+  void place_shapes(std::size_t index) {
+    if (is_host(index)) return;
+    std::vector<Shape>& host = own(hosts_[index].link).shapes;
+    for (Shape& shape : own(index).shapes) {
+      shape.placement = in_host(hosts_[index].pose, shape.placement, fmt::format("a shape of '{}'", shape.body));
+      host.push_back(std::move(shape));
+    }
   }
 
   void lump_masses(std::size_t index) {

@@ -11,6 +11,7 @@
 #include "support/index.h"
 #include "view/canvas.h"
 #include "view/page_files.h"
+#include "view/page_shapes.h"
 
 namespace robcogen::view {
 namespace {
@@ -18,8 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Each module comes after those that it uses.
-constexpr const char* kScripts[] = {"vectors.js", "positions.js", "posture.js", "camera.js",
-                                    "picture.js", "panels.js",    "main.js"};
+constexpr const char* kScripts[] = {"vectors.js", "shapes.js",  "positions.js", "posture.js",
+                                    "camera.js",  "picture.js", "panels.js",    "main.js"};
 
 // The text for a script element. These sequences would end or change the element; in strings, the replacements mean the
 // same.
@@ -136,8 +137,16 @@ Json data_of(
   const std::string about = fmt::format(
       "{} · {} joint{} · {}", library.model_file, count, count == 1 ? "" : "s",
       robot.floats ? "floating base, fixed in this view" : "fixed base");
-  return {{"about", about},   {"q", options.q}, {"parameters", parameters},
-          {"frames", frames}, {"loops", loops}, {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
+  Json data = {{"about", about},   {"q", options.q}, {"parameters", parameters},
+               {"frames", frames}, {"loops", loops}, {"warnings", warnings_of(diagnostics, model.robot()->tree)}};
+  if (library.tree.geometry.shapes.empty()) return data;
+  PageShapes shapes = page_shapes(library.tree.geometry.shapes);
+  data["shapes"] = std::move(shapes.shapes);
+  data["meshes"] = std::move(shapes.meshes);
+  if (shapes.shown_triangles < shapes.triangles)
+    data["about"] =
+        fmt::format("{} · meshes simplified: {} of {} triangles", about, shapes.shown_triangles, shapes.triangles);
+  return data;
 }
 
 }  // namespace

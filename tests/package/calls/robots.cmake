@@ -55,7 +55,7 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl)
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DESIRED list-NOTFOUND)
 
 #### flag_with_value
-# robcogen_add_robot(TARGET hyl): unknown argument 'OFF'; the keywords are TARGET MODEL ROBOT DESIRED NAME
+# robcogen_add_robot(TARGET hyl): unknown argument 'OFF'; the keywords are TARGET MODEL ROBOT SRDF DESIRED NAME
 robcogen_add_robot(TARGET hyl MODEL hyl.urdf FLOATING_BASE OFF)
 
 #### host_tool_missing
@@ -197,7 +197,7 @@ robcogen_add_robot(TARGET double MODEL hyl.kindsl)
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ALGORITHMS jacobians inverse_dynamic)
 
 #### unknown_keyword
-# robcogen_add_robot(TARGET hyl): unknown argument 'MODLE' 'hyl.kindsl'; the keywords are TARGET MODEL ROBOT DESIRED NAME
+# robcogen_add_robot(TARGET hyl): unknown argument 'MODLE' 'hyl.kindsl'; the keywords are TARGET MODEL ROBOT SRDF DESIRED NAME
 robcogen_add_robot(TARGET hyl MODLE hyl.kindsl)
 
 #### unknown_language

@@ -121,7 +121,7 @@ std::vector<Declaration> all_declarations() {
   for (const auto& rows :
        {catalogue::dynamics_declarations, catalogue::derivative_declarations, catalogue::contact_declarations,
         catalogue::identification_declarations, catalogue::kinematics_declarations, catalogue::world_declarations,
-        catalogue::mechanism_declarations})
+        catalogue::mechanism_declarations, catalogue::collision_declarations})
     for (GroupRows& of_group : rows())
       for (Declaration& row : of_group.rows) {
         row.group = of_group.group;
@@ -237,6 +237,12 @@ std::vector<std::string> groups_with(bool (*is_kind)(Of)) {
 const std::vector<Declaration>& declarations() {
   static const std::vector<Declaration> all = all_declarations();
   return all;
+}
+
+bool mentions_collisions(const std::string& text) {
+  return std::any_of(declarations().begin(), declarations().end(), [&](const Declaration& row) {
+    return row.group == std::string(kCollisionGroup) && text.find(row.name) != std::string::npos;
+  });
 }
 
 const std::vector<std::string>& groups_of_contacts() {

@@ -136,6 +136,7 @@ Declarations identification_declarations();
 Declarations kinematics_declarations();
 Declarations world_declarations();
 Declarations mechanism_declarations();
+Declarations collision_declarations();
 }  // namespace catalogue
 
 // ---- From algorithms to Source::trace.

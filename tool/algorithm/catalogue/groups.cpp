@@ -20,6 +20,7 @@ enum Needs : unsigned {
   kFewPairs = 1 << 4,        // code without loops has a column for each position and velocity
   kFewOperations = 1 << 3,   // code without loops has many right-hand sides
   kFewElements = 1 << 5,     // a matrix has ten columns per link
+  kShapes = 1 << 6,          // collision shapes
 };
 
 constexpr unsigned kInertiaInverse = kInertia | kRegularInertia;
@@ -69,7 +70,16 @@ struct Requirement {
   bool is_of_masses = false;  // diagnostics of the mass properties give the reason, too
 };
 
+// They are read where this group is asked for by name.
+bool has_shapes(const KinematicTree& tree) {
+  const std::vector<model::Shape>& shapes = tree.geometry.shapes;
+  return std::any_of(shapes.begin(), shapes.end(), [](const model::Shape& shape) {
+    return shape.use == model::Shape::Use::collision;
+  });
+}
+
 constexpr std::array kRequirements = {
+    Requirement{kShapes, has_shapes, "it has no collision shapes, which only a URDF can have"},
     Requirement{
         kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; },
         "no link that moves has mass properties", true},

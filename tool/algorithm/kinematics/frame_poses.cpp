@@ -45,6 +45,11 @@ class Placing {
         links_(trace.tree.links.size()),
         frames_(trace.tree.frames()) {}
 
+  const std::vector<PathPose>& links() {
+    place_links();
+    return links_;
+  }
+
   std::vector<Expression> poses() {
     place_links();
     std::vector<Expression> values;
@@ -109,6 +114,10 @@ class Placing {
 };
 
 }  // namespace
+
+std::vector<PathPose> link_poses(Trace& trace, const std::vector<Expression>& q) {
+  return Placing(trace, q).links();
+}
 
 symbolic::Program frame_poses(const KinematicTree& tree, const std::string& name) {
   Trace trace(tree);

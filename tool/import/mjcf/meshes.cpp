@@ -25,14 +25,6 @@ std::string mesh_name(const Element& mesh) {
   return file == nullptr ? "" : fs::path(file->value).stem().string();
 }
 
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return extension;
-}
-
 Vector3 values_of(const std::array<Number, 3>& numbers) {
   return {numbers[0].value(), numbers[1].value(), numbers[2].value()};
 }
@@ -133,16 +125,9 @@ std::optional<TriangleMesh> Meshes::read_triangles(const Element& mesh) {
   }
   if (std::find(read_.begin(), read_.end(), path) == read_.end()) read_.push_back(path);
   const std::string extension = extension_of(path);
-  std::optional<TriangleMesh> result;
-  if (extension == ".stl") {
-    result = read_stl(*content, fault);
-  } else if (extension == ".obj") {
-    result = read_obj(*content, fault);
-  } else if (extension == ".msh") {
-    result = read_msh(*content, fault);
-  } else {
-    fault = "it is not an STL, OBJ or MSH file";
-  }
+  const bool is_known = extension == ".stl" || extension == ".obj" || extension == ".msh";
+  if (!is_known) fault = "it is not an STL, OBJ or MSH file";
+  std::optional<TriangleMesh> result = is_known ? read_mesh(path, *content, fault) : std::nullopt;
   if (!result) refuse(file->place, mesh_name(mesh), fault);
   return result;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "import/mjcf/mesh_file.h"
+#include "import/mesh_file.h"
 #include "import/mjcf/vector3.h"
 
 namespace robcogen::import::from_mjcf {

@@ -109,6 +109,11 @@ model::Description describe(
     const Carried& own = carried[l];
     if (own.body < 0) continue;
     bodies[at(own.body)].frames.push_back({identifiers.links[l], placement_of(own.pose), link.name.place});
+    for (const PlacedShape& placed : link.shapes) {
+      model::Shape& shape = bodies[at(own.body)].shapes.emplace_back(placed.shape);
+      shape.body = identifiers.links[l];
+      shape.placement = placement_of(own.pose * pose_of(placed.origin));
+    }
     if (!link.inertial) continue;
     std::vector<PlacedInertial>& parts = inertials[at(own.body)];
     if (parts.empty()) {

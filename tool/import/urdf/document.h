@@ -41,9 +41,16 @@ struct Inertial {
   Place inertia_place;    // of the element `inertia`, or of `inertial` if that is missing
 };
 
+// A shape without its link and its placement.
+struct PlacedShape {
+  model::Shape shape;
+  Origin origin;
+};
+
 struct Link {
   Name name;
   std::optional<Inertial> inertial;  // also absent if all of its values are given and zero
+  std::vector<PlacedShape> shapes = {};  // see read_shapes
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, floating, planar };

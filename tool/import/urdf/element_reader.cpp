@@ -50,7 +50,7 @@ std::string mechanical_meaning(const std::string& element) {
 
 // Whether elements of this name contain elements that are read.
 bool has_parts(const std::string& element) {
-  return element == "inertial" || element == "predecessor" || element == "successor";
+  return element == "inertial" || element == "predecessor" || element == "successor" || element == "geometry";
 }
 
 }  // namespace

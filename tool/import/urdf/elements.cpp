@@ -46,6 +46,17 @@ constexpr Row kRows[] = {
     {"predecessor", "link", "", "", ""},
     {"successor", "link", "", "", ""},
     {"ratio", "value", "", "", ""},
+    // Shapes, where they are read.
+    {"visual", "", "", "name", "material verbose"},
+    {"collision", "", "", "name",
+     "contact contact_coefficients drake:proximity_properties material max_contacts surface "
+     "verbose"},
+    {"geometry", "", "", "name", "verbose"},
+    {"sphere", "radius", "", "", ""},
+    {"box", "size", "", "", ""},
+    {"cylinder", "radius length", "", "", ""},
+    {"capsule", "radius length", "", "", ""},
+    {"mesh", "filename", "scale", "", "drake:declare_convex"},
 };
 
 std::map<std::string, KnownElement> table() {

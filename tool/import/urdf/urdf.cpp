@@ -6,6 +6,7 @@
 
 #include "import/urdf/describe.h"
 #include "import/urdf/mass.h"
+#include "import/urdf/shapes.h"
 #include "import/xml/frame_names.h"
 #include "language/common/content.h"
 
@@ -83,6 +84,7 @@ std::optional<model::KinematicTree> urdf(
   if (!root || !check_expanded(*root, source, diagnostics)) return std::nullopt;
   Document document = read_document(*root, std::move(source), diagnostics);
   read_transmissions(*root, document, diagnostics);
+  std::vector<std::filesystem::path> files = read_shapes(*root, options.shapes, document, diagnostics);
   declare_world(document, diagnostics);
   const std::optional<Topology> topology = connect(document, diagnostics);
   const Topology* tree = topology ? &*topology : nullptr;
@@ -108,7 +110,9 @@ std::optional<model::KinematicTree> urdf(
       if (!joint.drive.friction.is_zero()) joint.drive.friction_velocity = model::Quantity(options.friction_velocity);
   if (!options.passive_forces) note_passive_forces(document, diagnostics);
   rename_hidden_frames(description, diagnostics);
-  return build_tree(description, options.changes, diagnostics);
+  std::optional<model::KinematicTree> result = build_tree(description, options.changes, diagnostics);
+  if (result) result->geometry.files = std::move(files);
+  return result;
 }
 
 }  // namespace robcogen::import

@@ -3,6 +3,7 @@ import { makeCamera, projection, resetCamera, steerBy } from "./camera.js";
 import { element, makeJoints, makeOutline, makeParameters, makeWarnings, showLink } from "./panels.js";
 import { linkAt, paint, sizesOf } from "./picture.js";
 import { canSwing, makeRobot, makeState, postureOf, setCoordinate, swing } from "./posture.js";
+import { linkOfTriangle } from "./shapes.js";
 
 const byId = (id) => document.getElementById(id);
 const data = JSON.parse(byId("data").textContent);
@@ -12,17 +13,18 @@ const options = {
   selected: -1,
   show: {
     names: robot.joints.length <= 14, frames: true, fixed: false, axes: true, masses: true, inertia: false, links: false,
+    shapes: true, collisions: false,
   },
 };
 let posture = postureOf(robot, state);
 let sizes = sizesOf(robot, posture);
 const camera = makeCamera(sizes.centre, sizes.around);
 const canvas = byId("canvas"), context = canvas.getContext("2d");
-let theme = {}, bars = [], isSwinging = false, isAsked = false;
+let theme = {}, painted = { bars: [], triangles: [] }, isSwinging = false, isAsked = false;
 
 function readTheme() {
   const style = getComputedStyle(document.documentElement);
-  const names = ["paper", "ink", "soft", "accent", "x", "y", "z", "mass", "grid"];
+  const names = ["paper", "ink", "soft", "accent", "x", "y", "z", "mass", "grid", "collision"];
   for (const name of ["bar", "chosen", "turn", "slide"]) names.push(name, `${name}-light`, `${name}-edge`);
   theme = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
@@ -33,7 +35,7 @@ function draw() {
   const [width, height] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  bars = paint(context, size, projection(camera, size.width, size.height), robot, posture, sizes, options, theme);
+  painted = paint(context, size, projection(camera, size.width, size.height), robot, posture, sizes, options, theme);
 }
 
 // Drawing waits for the next animation frame, so that many changes make one picture.
@@ -125,8 +127,11 @@ const toggles = {
   masses: "centres of mass",
   inertia: "inertia",
 };
+if (robot.shapes.some((shape) => shape.isVisual)) toggles.shapes = "shapes";
+if (robot.shapes.some((shape) => !shape.isVisual)) toggles.collisions = "collision shapes";
+const boxes = {};
 for (const [name, text] of Object.entries(toggles)) {
-  const box = element("input", { type: "checkbox", checked: options.show[name] });
+  const box = (boxes[name] = element("input", { type: "checkbox", checked: options.show[name] }));
   box.addEventListener("change", () => {
     options.show[name] = box.checked;
     ask();
@@ -134,7 +139,7 @@ for (const [name, text] of Object.entries(toggles)) {
   byId("toggles").append(element("label", {}, box, text));
 }
 steerBy(canvas, camera, ask, (x, y) => {
-  const link = linkAt(bars, x, y);
+  const onShape = linkOfTriangle(painted.triangles, x, y), link = onShape >= 0 ? onShape : linkAt(painted.bars, x, y);
   if (link >= 0 || options.selected >= 0) select(link);
 });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
@@ -156,7 +161,11 @@ globalThis.robcogen = {
   gravity: () => posture.gravity,
   links: () =>
     robot.model.links.map((link, l) => ({ name: link.name, ...posture.masses[l], carried: posture.carried[l] })),
-  bars: () => bars,
+  bars: () => painted.bars,
+  shapes: () => robot.shapes.map(({ body, kind, isVisual, link, points }) => ({ body, kind, isVisual, link, points })),
+  show: (name, on) => {
+    if (boxes[name].checked !== on) boxes[name].click();
+  },
   selected: () => options.selected,
   setPosition: (name, value) => setPosition(robot.joints.findIndex((joint) => joint.name === name), value),
   select,

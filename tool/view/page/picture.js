@@ -1,12 +1,13 @@
 // The picture: the robot, drawn on a canvas.
 import { isFollower, nameOf } from "./positions.js";
 import { jointAxis, jointOrigin } from "./posture.js";
+import { cornersOf, paintCollisions, paintVisuals } from "./shapes.js";
 import { add, axis, dot, length, origin, place, scale, subtract } from "./vectors.js";
 
 // Sizes in metres that suit the robot.
 export function sizesOf(robot, posture) {
   const base = origin(posture.poses[0]);
-  const points = posture.poses.map(origin);
+  const points = [...posture.poses.map(origin), ...cornersOf(robot.shapes, posture)];
   const radius = Math.max(1e-3, ...points.map((p) => length(subtract(p, base)))) || 1;
   const low = [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k])));
   const high = [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])));
@@ -317,7 +318,16 @@ function namesOf(robot, posture, { show, selected }) {
   return names;
 }
 
-// Draws the robot, and returns the bars with their ends on the canvas, for clicks.
+// The colours of a surface, from dark to light.
+function shades(hue, saturation) {
+  const kCount = 32;
+  const list = Array.from({ length: kCount }, (_, i) => `hsl(${hue} ${saturation}% ${32 + (54 * i) / (kCount - 1)}%)`);
+  return (shade) => list[Math.min(kCount - 1, Math.floor(shade * kCount))];
+}
+const plainShade = shades(212, 14), chosenShade = shades(212, 75);
+
+// Draws the robot, and returns what clicks can meet: the bars with their ends on the canvas, and the triangles of
+// visual shapes. The joints, axes and frames inside shapes are seen through them.
 export function paint(context, size, view, robot, posture, sizes, options, theme) {
   const { show, selected } = options;
   context.clearRect(0, 0, size.width, size.height);
@@ -327,7 +337,9 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
   put(origin(posture.poses[0]), -0.02, () =>
     paintBase(context, view, posture.poses[0], 0.13 * sizes.around, sizes.ground, theme));
   const bars = barsOf(robot, posture);
+  const isCovered = (l) => show.shapes && robot.shapes.some((shape) => shape.isVisual && shape.link === l);
   robot.model.links.forEach((_, l) => {
+    if (isCovered(l)) return;
     const own = bars.filter((bar) => bar.link === l), colours = family(theme, l === selected ? "chosen" : "bar");
     if (own.length > 1) {
       const points = [own[0].from, ...own.map(({ to }) => to)];
@@ -383,9 +395,13 @@ export function paint(context, size, view, robot, posture, sizes, options, theme
   });
   const whole = posture.carried[0];
   if (show.masses && whole.centre) put(whole.centre, 0.06, () => paintCentre(context, view, whole.centre, 9, theme));
+  const colourOf = (link, shade) => (link === selected ? chosenShade : plainShade)(shade);
+  const triangles = show.shapes ? paintVisuals(context, view, posture, robot.shapes, colourOf) : [];
   items.sort((a, b) => a.near - b.near).forEach(({ draw }) => draw());
+  if (show.collisions)
+    paintCollisions(context, view, posture, robot.shapes, (link) => theme[link === selected ? "accent" : "collision"]);
   paintNames(context, view, namesOf(robot, posture, options), size, theme);
-  return bars.map(({ link, from, to }) => ({ link, a: view.see(from), b: view.see(to) }));
+  return { triangles, bars: bars.map(({ link, from, to }) => ({ link, a: view.see(from), b: view.see(to) })) };
 }
 
 // The link whose bar is nearest to the point, or -1.

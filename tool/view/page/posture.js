@@ -1,5 +1,6 @@
 // The robot in a position. Everything here is computed by functions that the generator printed.
 import { coordinatesOf, elementsOf, isFollower, normalised, ratesOf, visit } from "./positions.js";
+import { makeShapes } from "./shapes.js";
 import { add, axis, dot, origin, place, principal, rotate, scale } from "./vectors.js";
 
 // The constant parts of the robot: `robot` is the generated module, `data` what the generator adds.
@@ -17,7 +18,7 @@ export function makeRobot(robot, data) {
   joints.forEach((_, j) => {
     if (isFollower(joints, j)) jointFrames[j] = jointFrames[j - 1];
   });
-  return { module: robot, model, data, joints, children, jointFrames, dof: model.dof };
+  return { module: robot, model, data, joints, children, jointFrames, dof: model.dof, shapes: makeShapes(data) };
 }
 
 // The robot at rest. `coordinates` are what the sliders show (positions.js); q follows from them.

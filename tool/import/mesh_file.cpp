@@ -1,7 +1,8 @@
-#include "import/mjcf/mesh_file.h"
+#include "import/mesh_file.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <map>
 #include <utility>
 
-namespace robcogen::import::from_mjcf {
+namespace robcogen::import {
 
 namespace {
 
@@ -220,4 +221,20 @@ std::optional<TriangleMesh> read_msh(std::string_view content, std::string& faul
   return mesh;
 }
 
-}  // namespace robcogen::import::from_mjcf
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return extension;
+}
+
+std::optional<TriangleMesh> read_mesh(const std::filesystem::path& path, std::string_view content, std::string& fault) {
+  const std::string extension = extension_of(path);
+  if (extension == ".stl") return read_stl(content, fault);
+  if (extension == ".obj") return read_obj(content, fault);
+  if (extension == ".msh") return read_msh(content, fault);
+  return read_scene(path, content, fault);
+}
+
+}  // namespace robcogen::import

@@ -1,0 +1,154 @@
+#include "model/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "support/index.h"
+
+namespace robcogen::model {
+namespace {
+
+using Point3 = std::array<double, 3>;
+
+// In the frame of the shape.
+struct Segment {
+  std::array<Point3, 2> ends = {};
+  double radius = 0;
+};
+
+Segment along_z(double radius, double length) {
+  return {{{{0, 0, -length / 2}, {0, 0, length / 2}}}, radius};
+}
+
+double volume(const Segment& s) {
+  const double length = std::hypot(
+      s.ends[1][0] - s.ends[0][0], s.ends[1][1] - s.ends[0][1], s.ends[1][2] - s.ends[0][2]);
+  return std::numbers::pi * s.radius * s.radius * (length + 4.0 / 3.0 * s.radius);
+}
+
+// Around points, along this coordinate axis. Its axis is in the middle of the points; the half spheres at its ends reach
+// over the points beyond the segment.
+Segment around(const std::vector<Point3>& points, std::size_t axis) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Point3 low, high;
+  low.fill(kInfinity), high.fill(-kInfinity);
+  for (const Point3& p : points)
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Point3 middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = low[k] + (high[k] - low[k]) / 2;
+  const auto from_axis = [&](const Point3& p) { return std::hypot(p[u] - middle[u], p[v] - middle[v]); };
+  double radius = 0;
+  for (const Point3& p : points) radius = std::max(radius, from_axis(p));
+  double first = kInfinity, last = -kInfinity;
+  for (const Point3& p : points) {
+    const double distance = from_axis(p), reach = std::sqrt(std::max(0.0, radius * radius - distance * distance));
+    first = std::min(first, p[axis] + reach);
+    last = std::max(last, p[axis] - reach);
+  }
+  if (first > last) first = last = last + (first - last) / 2;  // a sphere is enough
+  Segment result{{middle, middle}, radius};
+  result.ends[0][axis] = first;
+  result.ends[1][axis] = last;
+  return result;
+}
+
+Segment smallest_around(const std::vector<Point3>& points) {
+  Segment best = around(points, 0);
+  for (const std::size_t axis : {1, 2}) {
+    Segment other = around(points, axis);
+    if (volume(other) < volume(best)) best = std::move(other);
+  }
+  return best;
+}
+
+std::vector<Point3> corners_of(const std::array<double, 3>& edges) {
+  std::vector<Point3> corners(8);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t k = 0; k < 3; ++k) corners[i][k] = ((i >> k) & 1 ? 0.5 : -0.5) * edges[k];
+  return corners;
+}
+
+std::vector<Point3> vertices_of(const Shape& shape) {
+  std::vector<Point3> vertices;
+  for (const auto& v : shape.mesh->vertices)
+    vertices.push_back({shape.size[0] * v[0], shape.size[1] * v[1], shape.size[2] * v[2]});
+  return vertices;
+}
+
+Segment segment_of(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::sphere:
+      return along_z(shape.size[0], 0);
+    case Shape::Kind::capsule:
+    case Shape::Kind::cylinder:
+      return along_z(shape.size[0], shape.size[1]);
+    case Shape::Kind::box:
+      return smallest_around(corners_of(shape.size));
+    case Shape::Kind::mesh:
+      break;
+  }
+  return smallest_around(vertices_of(shape));
+}
+
+Point3 in_link(const Placement& placement, const Point3& p) {
+  const auto R = rotation_matrix(placement);
+  Point3 result;
+  for (std::size_t r = 0; r < 3; ++r) {
+    result[r] = evaluate(placement.translation[r]);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (p[c] != 0) result[r] += evaluate(R[r][c]) * p[c];
+  }
+  return result;
+}
+
+// By link: the joint that carries it, past the copies between the components of a spherical joint.
+int parent_of(const KinematicTree& tree, int link) {
+  int joint = tree.links[at(link)].parent_joint;
+  while (joint >= 0 && tree.links[at(tree.joints[at(joint)].parent)].is_repeated)
+    joint = tree.links[at(tree.joints[at(joint)].parent)].parent_joint;
+  return joint < 0 ? -1 : tree.joints[at(joint)].parent;
+}
+
+bool may_touch(const Geometry& geometry, const std::string& a, const std::string& b) {
+  return std::any_of(geometry.may_touch.begin(), geometry.may_touch.end(), [&](const auto& pair) {
+    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
+  });
+}
+
+}  // namespace
+
+std::vector<Capsule> capsules(const KinematicTree& tree) {
+  std::vector<Capsule> result;
+  std::map<std::string, int> counts;
+  for (const Shape& shape : tree.geometry.shapes)
+    if (shape.use == Shape::Use::collision) ++counts[shape.body];
+  std::map<std::string, int> numbers;
+  for (const Shape& shape : tree.geometry.shapes) {
+    if (shape.use != Shape::Use::collision) continue;
+    const Segment segment = segment_of(shape);
+    Capsule capsule{shape.body, shape.body, shape.link, {}, segment.radius};
+    if (counts[shape.body] > 1) capsule.name += "_" + std::to_string(++numbers[shape.body]);
+    for (std::size_t k = 0; k < 2; ++k) capsule.ends[k] = in_link(shape.placement, segment.ends[k]);
+    result.push_back(std::move(capsule));
+  }
+  return result;
+}
+
+std::vector<std::array<std::size_t, 2>> collision_pairs(const KinematicTree& tree, const std::vector<Capsule>& capsules) {
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (std::size_t i = 0; i < capsules.size(); ++i)
+    for (std::size_t k = i + 1; k < capsules.size(); ++k) {
+      const Capsule &a = capsules[i], &b = capsules[k];
+      if (a.link == b.link) continue;
+      const bool are_neighbours = parent_of(tree, a.link) == b.link || parent_of(tree, b.link) == a.link;
+      if (tree.geometry.has_srdf ? !may_touch(tree.geometry, a.body, b.body) : !are_neighbours) pairs.push_back({i, k});
+    }
+  return pairs;
+}
+
+}  // namespace robcogen::model
