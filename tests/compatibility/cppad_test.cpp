@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "equal.h"
 #include "floating_walker.h"
 
 namespace robcogen::test {
@@ -21,8 +22,7 @@ TEST(CppAd, Derivatives) {
   CppAD::ADFun<double> recorded(x, y);
   const std::vector<double> jacobian = recorded.Jacobian(std::vector<double>(at.begin(), at.end()));
   const Eigen::Map<const Eigen::Matrix<double, 18, 9, Eigen::RowMajor>> derivatives(jacobian.data());
-  const double worst = (derivatives - derivatives_of_dynamics()).cwiseAbs().maxCoeff();
-  EXPECT_LE(worst, 1e-12);  // rounding
+  expect_equal(derivatives, derivatives_of_dynamics());
 }
 
 }  // namespace

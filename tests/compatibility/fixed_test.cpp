@@ -23,18 +23,13 @@
 #include <iit/robots/parametric_walker/traits.h>
 #include <parametric/parametric_walker/parametric_walker.h>
 
+#include "equal.h"
+
 namespace robcogen::test::fixed_test {
 namespace {
 
 namespace old = iit::FixedWalker;
 namespace own = ::fixed_walker;
-
-constexpr double kRounding = 1e-12;  // the same kernels: only the order of sums in the getters differs
-
-template <class A, class B>
-void expect_equal(const A& a, const B& b) {
-  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), kRounding) << a << "\nand\n" << b;
-}
 
 class FixedBase : public testing::Test {
  protected:

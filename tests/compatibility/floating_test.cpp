@@ -5,6 +5,7 @@
 #include <iit/robots/floating_walker/miscellaneous.h>
 
 #include "../codegen/dual.h"
+#include "equal.h"
 #include "floating_walker.h"
 
 namespace autodiff {
@@ -40,13 +41,6 @@ namespace robcogen::test::floating_test {
 namespace {
 
 using autodiff::Dual;
-
-constexpr double kRounding = 1e-12;  // the same kernels: only the order of sums in the getters differs
-
-template <class A, class B>
-void expect_equal(const A& a, const B& b) {
-  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), kRounding) << a << "\nand\n" << b;
-}
 
 class FloatingBase : public testing::Test {
  protected:

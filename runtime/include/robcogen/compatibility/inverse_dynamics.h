@@ -38,8 +38,7 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
   }
   void set_base(const Velocity& v, const Acceleration& a, const Acceleration& g) {
     motion_.base_velocity = v;
-    motion_.base_acceleration = a;
-    gravity_ = g;
+    motion_.base_acceleration = a - g;
     base_is_free_ = false;
   }
   // Nothing holds the base: its acceleration is a result.
@@ -49,7 +48,7 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
     base_is_free_ = true;
   }
   // The acceleration of a fixed base relative to free fall.
-  void set_upwards(double g) { gravity_(5) = Scalar(-g); }
+  void set_upwards(double g) { motion_.base_acceleration(5) = Scalar(g); }
 
  private:
   using Links = LinkMotions<Trait, Robot>;
@@ -59,9 +58,8 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
     is_current_ = true;
     typename Links::Motion motion = motion_;
     if constexpr (Robot::kFloatingBase) {
-      if (base_is_free_) motion.base_acceleration = free_acceleration();
+      if (base_is_free_) motion.base_acceleration = free_acceleration() - gravity_;
     }
-    motion.base_acceleration -= gravity_;
     links_.compute(motion, *this->transforms_, *this->inertias_);
     return links_;
   }
@@ -82,7 +80,7 @@ class InverseDynamicsBase : public DynamicsBase<Trait, Robot, Inertias, Transfor
   }
 
   typename Links::Motion motion_;
-  Acceleration gravity_ = Acceleration::Constant(Scalar(0));
+  Acceleration gravity_ = Acceleration::Constant(Scalar(0));  // where the base is free
   bool base_is_free_ = false;
   mutable Links links_;
   mutable bool is_current_ = false;

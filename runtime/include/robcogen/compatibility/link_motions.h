@@ -34,7 +34,7 @@ class LinkMotions {
   using Vector3 = typename iit::rbd::Core<Scalar>::Vector3;
   using State = JointState<Robot, Scalar>;
 
-  // The motion: of the joints and of the base, whose acceleration is relative to free fall when it is computed with.
+  // The motion of the joints and of the base, whose acceleration is relative to free fall.
   struct Motion {
     State q = zero<State>(), qd = zero<State>(), qdd = zero<State>();
     Vector base_velocity = zero<Vector>(), base_acceleration = zero<Vector>();
