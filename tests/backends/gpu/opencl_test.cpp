@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "robcogen/gpu/dialect.h"
 #include "states.h"
 
 namespace robcogen::test {
@@ -43,16 +44,17 @@ struct Device {
   }
 };
 
-// A kernel of the text in a folder.
-class Kernel {
+// The kernels of a function, from the text in a folder.
+class Kernels {
  public:
-  Kernel(
+  Kernels(
       const Device& device,
+      const StatesFunction& f,
       const std::filesystem::path& folder,
       const std::string& header,
-      const std::string& name,
+      const std::string& prefix,
       const std::string& options)
-      : device_(device) {
+      : device_(device), f_(f), list_(f.kernels()) {
     const std::string text = "#include \"" + header + "\"\n";
     const char* source = text.c_str();
     cl_int error = CL_SUCCESS;
@@ -64,71 +66,97 @@ class Kernel {
       clGetProgramBuildInfo(program_, device.id, CL_PROGRAM_BUILD_LOG, log.size(), log.data(), nullptr);
       throw std::runtime_error(log.c_str());
     }
-    kernel_ = clCreateKernel(program_, name.c_str(), &error);
-    check(error, name.c_str());
+    for (const backend::gpu::StatesKernel& kernel : list_) {
+      kernels_.push_back(clCreateKernel(program_, (prefix + kernel.name).c_str(), &error));
+      check(error, kernel.name.c_str());
+    }
   }
-  ~Kernel() {
-    clReleaseKernel(kernel_);
+  ~Kernels() {
+    for (const cl_kernel kernel : kernels_) clReleaseKernel(kernel);
     clReleaseProgram(program_);
   }
-  Kernel(const Kernel&) = delete;
-  Kernel& operator=(const Kernel&) = delete;
+  Kernels(const Kernels&) = delete;
+  Kernels& operator=(const Kernels&) = delete;
 
   // Computes `count` states. More threads than states run, in groups of 32.
   template <class Real>
-  void run(const StatesFunction& f, int count, std::vector<Memory<Real>>& memory) const {
-    std::vector<cl_mem> buffers;
-    cl_uint argument = 0;
-    check(clSetKernelArg(kernel_, argument++, sizeof(count), &count), "count");
-    for (std::size_t a = 0; a < memory.size(); ++a) {
-      std::vector<Real>& numbers = memory[a].numbers();
-      cl_int error = CL_SUCCESS;
-      const cl_mem whole = clCreateBuffer(
-          device_.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, numbers.size() * sizeof(Real), numbers.data(),
-          &error);
-      check(error, "buffer");
-      constexpr std::size_t kBegin = Memory<Real>::kGuard * sizeof(Real);
-      const cl_buffer_region region = {kBegin, numbers.size() * sizeof(Real) - kBegin};
-      const cl_mem part = clCreateSubBuffer(whole, 0, CL_BUFFER_CREATE_TYPE_REGION, &region, &error);
-      check(error, "part of a buffer");
-      check(clSetKernelArg(kernel_, argument++, sizeof(part), &part), "array");
-      const auto [data, layout, stride] = memory[a].array();
-      const int size = static_cast<int>(f.arrays[a].size), given = static_cast<int>(stride);
-      const cl_int strides[3] = {
-          layout == robcogen_gpu_by_tile ? 5 : 0,
-          layout == robcogen_gpu_by_tile    ? 32 * size
-          : layout == robcogen_gpu_by_state ? given
-                                            : 1,
-          layout == robcogen_gpu_by_tile      ? 32
-          : layout == robcogen_gpu_by_element ? given
-                                              : 1};
-      check(clSetKernelArg(kernel_, argument++, sizeof(strides), strides), "strides");
-      buffers.insert(buffers.end(), {whole, part});
+  void run(int count, std::vector<Memory<Real>>& memory) const {
+    std::vector<Buffer> buffers;
+    for (std::size_t a = 0; a < memory.size(); ++a) buffers.push_back(buffer(memory[a], f_.arrays[a].size));
+    std::vector<Real> workspace(workspace_of(f_, static_cast<std::size_t>(count)));
+    if (f_.stages) buffers.push_back({new_buffer(workspace), nullptr, {5, 32 * f_.stages->workspace, 32}});
+    for (std::size_t k = 0; k < list_.size(); ++k) {
+      cl_uint argument = 0;
+      const auto set = [&](const auto& value, const char* what) {
+        check(clSetKernelArg(kernels_[k], argument++, sizeof(value), &value), what);
+      };
+      set(count, "count");
+      for (const std::size_t a : list_[k].arrays) {
+        set(buffers[a].part ? buffers[a].part : buffers[a].whole, "array");
+        set(buffers[a].strides, "strides");
+      }
+      const std::size_t runs = list_[k].columns ? static_cast<std::size_t>(list_[k].columns->runs) : 1;
+      const std::size_t local[] = {32, 1}, global[] = {(static_cast<std::size_t>(count) + 32) / 32 * 32, runs};
+      check(
+          clEnqueueNDRangeKernel(device_.queue, kernels_[k], 2, nullptr, global, local, 0, nullptr, nullptr), "start");
     }
-    const std::size_t local = 32, global = (static_cast<std::size_t>(count) + 32) / 32 * 32;
-    check(clEnqueueNDRangeKernel(device_.queue, kernel_, 1, nullptr, &global, &local, 0, nullptr, nullptr), "start");
     check(clFinish(device_.queue), "run");
     for (std::size_t a = 0; a < memory.size(); ++a) {
       std::vector<Real>& numbers = memory[a].numbers();
+      const std::size_t bytes = numbers.size() * sizeof(Real);
       check(
-          clEnqueueReadBuffer(
-              device_.queue, buffers[2 * a], CL_TRUE, 0, numbers.size() * sizeof(Real), numbers.data(), 0, nullptr,
-              nullptr),
+          clEnqueueReadBuffer(device_.queue, buffers[a].whole, CL_TRUE, 0, bytes, numbers.data(), 0, nullptr, nullptr),
           "results");
-      clReleaseMemObject(buffers[2 * a + 1]);
-      clReleaseMemObject(buffers[2 * a]);
+    }
+    for (const Buffer& b : buffers) {
+      if (b.part) clReleaseMemObject(b.part);
+      clReleaseMemObject(b.whole);
     }
   }
 
  private:
+  // Memory, and the part of it between the elements that nothing may touch.
+  struct Buffer {
+    cl_mem whole, part;
+    robcogen_gpu_strides strides;
+  };
+
   const Device& device_;
+  const StatesFunction& f_;
+  std::vector<backend::gpu::StatesKernel> list_;
   cl_program program_ = nullptr;
-  cl_kernel kernel_ = nullptr;
+  std::vector<cl_kernel> kernels_;
+
+  template <class Real>
+  cl_mem new_buffer(std::vector<Real>& numbers) const {
+    cl_int error = CL_SUCCESS;
+    const cl_mem buffer = clCreateBuffer(
+        device_.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, numbers.size() * sizeof(Real), numbers.data(),
+        &error);
+    check(error, "buffer");
+    return buffer;
+  }
+
+  template <class Real>
+  Buffer buffer(Memory<Real>& memory, std::size_t elements) const {
+    const auto [data, layout, stride] = memory.array();
+    const int size = static_cast<int>(elements), given = static_cast<int>(stride);
+    const cl_mem whole = new_buffer(memory.numbers());
+    constexpr std::size_t kBegin = Memory<Real>::kGuard * sizeof(Real);
+    const cl_buffer_region region = {kBegin, memory.numbers().size() * sizeof(Real) - kBegin};
+    cl_int error = CL_SUCCESS;
+    const cl_mem part = clCreateSubBuffer(whole, 0, CL_BUFFER_CREATE_TYPE_REGION, &region, &error);
+    check(error, "part of a buffer");
+    if (layout == robcogen_gpu_by_tile) return {whole, part, {5, 32 * size, 32}};
+    if (layout == robcogen_gpu_by_state) return {whole, part, {0, given, 1}};
+    return {whole, part, {0, 1, given}};
+  }
 };
 
 struct Case {
   std::string robot, group;
   bool has_tiles = false;
+  backend::gpu::Lengths lengths = {};
 };
 
 // Runs the first function of the group. Returns the first difference from the interpreter. One of the states is NaN.
@@ -140,11 +168,11 @@ std::string differences(
     const Case& c,
     const std::vector<int>& counts) {
   const std::string prefix = library.name + "_gpu";
-  const backend::gpu::Names names = backend::c::names(library, prefix, prefix);
+  const backend::gpu::Names names = backend::gpu::names(library, c.lengths);
   const StatesFunction f = backend::gpu::states_functions(names, c.group).front();
   std::string options = sizeof(Real) == 8 ? " -DROBCOGEN_GPU_DOUBLE" : "";
   if (c.has_tiles) options += " -DROBCOGEN_GPU_TILES";
-  const Kernel kernel(device, folder, prefix + "/" + c.group + "_kernels.h", prefix + "_kernel_" + f.name, options);
+  const Kernels kernels(device, f, folder, prefix + "/" + c.group + "_kernels.h", prefix + "_kernel_", options);
   const backend::Function& function = *f.function->function;
   std::mt19937_64 engine(7);
   const int most = *std::max_element(counts.begin(), counts.end());
@@ -153,7 +181,7 @@ std::string differences(
   if (c.has_tiles) layouts = {robcogen_gpu_by_tile};
   for (const int count : counts) {
     std::vector<Memory<Real>> memory = memory_of(f, states, static_cast<std::size_t>(count), layouts);
-    kernel.run(f, count, memory);
+    kernels.run(count, memory);
     for (std::size_t a = 0; a < memory.size(); ++a)
       if (const std::string wrong =
               difference(memory[a], states.arrays[a], static_cast<std::size_t>(count), tolerance<Real>(function));
@@ -164,7 +192,7 @@ std::string differences(
   // A NaN in the inputs of state 1 makes no other state worse.
   std::vector<Memory<Real>> memory = memory_of(f, states, 4, layouts);
   memory[0].at(1, 1) = std::numeric_limits<Real>::quiet_NaN();
-  kernel.run(f, 4, memory);
+  kernels.run(4, memory);
   const std::size_t result = memory.size() - 1;
   bool has_nan = false;
   for (std::size_t k = 0; k < f.arrays[result].size; ++k) {
@@ -203,6 +231,18 @@ TEST_F(OpenCl, ALegInDoubleWithMixedLayouts) {
   text[text.find(" - ") + 1] = '+';
   write_text(file, text);
   EXPECT_NE(differences<double>(device(), robot, scratch.path, leg, {1}), "") << "a wrong sign was not found";
+}
+
+// Stages that pass numbers, and stages that solve for columns.
+TEST_F(OpenCl, ALegInStages) {
+  const Case leg = ROBCOGEN_TEST_EVERYTHING ? Case{"geared_leg", "forward_dynamics_derivatives", false, {1000, 300}}
+                                            : Case{"hyl", "forward_dynamics", false, {60, 40}};
+  const Library robot = library(leg);
+  const Scratch scratch("gpu-opencl-stages");
+  write_gpu(scratch.path, robot, leg.lengths);
+  ASSERT_NE(
+      read_text(scratch.path / (leg.robot + "_gpu") / (leg.group + "_kernels.h")).find("_stage2("), std::string::npos);
+  EXPECT_EQ(differences<float>(device(), robot, scratch.path, leg, {33}), "");
 }
 
 TEST_F(OpenCl, AnArmInFloatWithTiles) {

@@ -18,17 +18,27 @@ using backend::gpu::StatesFunction;
 const std::string kStrict = "-Wall -Wextra -Wconversion -Wshadow -Werror -I. -I" ROBCOGEN_RUNTIME_DIR " ";
 constexpr int kStates = 35;
 
-// Calls a compiled function. It does not read arrays beyond its last parameter, which are on the stack.
+// Calls a compiled function. It does not read arrays beyond its last parameter, which are on the stack; the workspace
+// is in registers, wherever it stands among the parameters.
 template <std::size_t... k>
-int call(void* function, std::ptrdiff_t n, std::vector<robcogen_gpu_array> a, std::index_sequence<k...>) {
+int call(
+    void* function,
+    std::ptrdiff_t n,
+    robcogen_gpu_workspace workspace,
+    std::vector<robcogen_gpu_array> a,
+    std::index_sequence<k...>) {
   a.resize(sizeof...(k), {});
-  using F = int (*)(void*, std::ptrdiff_t, decltype((void)k, robcogen_gpu_array())...);
-  return reinterpret_cast<F>(function)(nullptr, n, a[k]...);
+  using F = int (*)(void*, std::ptrdiff_t, robcogen_gpu_workspace, decltype((void)k, robcogen_gpu_array())...);
+  return reinterpret_cast<F>(function)(nullptr, n, workspace, a[k]...);
 }
 
-int call(void* function, std::ptrdiff_t n, const std::vector<robcogen_gpu_array>& a) {
+int call(
+    void* function,
+    std::ptrdiff_t n,
+    const std::vector<robcogen_gpu_array>& a,
+    robcogen_gpu_workspace workspace = {}) {
   EXPECT_LE(a.size(), 80U);
-  return call(function, n, a, std::make_index_sequence<80>());
+  return call(function, n, workspace, a, std::make_index_sequence<80>());
 }
 
 // Returns a line for the first difference between the function and the interpreter. `layouts`: of the arrays in turn.
@@ -45,7 +55,11 @@ std::string differences(
   std::vector<Memory<Real>> memory = memory_of(f, states, kStates, layouts);
   std::vector<robcogen_gpu_array> arrays;
   for (const Memory<Real>& m : memory) arrays.push_back(m.array());
-  if (const int status = call(symbol, kStates, arrays); status != 0)
+  std::vector<Real> workspace(workspace_of(f, kStates), std::numeric_limits<Real>::quiet_NaN());
+  const std::size_t bytes = workspace.size() * sizeof(Real);
+  if (f.stages && call(symbol, kStates, arrays, {workspace.data(), bytes - 1}) != robcogen_gpu_small_workspace)
+    return f.name + " takes a workspace that is too small\n";
+  if (const int status = call(symbol, kStates, arrays, {workspace.data(), bytes}); status != 0)
     return f.name + ": " + robcogen_gpu_message(static_cast<robcogen_gpu_status>(status)) + "\n";
   for (std::size_t a = 0; a < f.arrays.size(); ++a) {
     const std::string wrong = difference(memory[a], states.arrays[a], kStates, tolerance<Real>(function));
@@ -72,17 +86,21 @@ std::string differences_of_update(const Library& library, const StatesFunction& 
   return wrong.empty() ? "" : "update" + wrong + "\n";
 }
 
-std::string differences(const Library& library, const std::filesystem::path& folder) {
+std::string differences(
+    const Library& library,
+    const std::filesystem::path& folder,
+    const backend::gpu::Lengths& lengths) {
   std::string all;
-  for (const OutputFile& file : backend::gpu::print(library))
-    if (file.path.extension() == ".cu") all += "#include \"" + file.path.string() + "\"\n";
+  for (const OutputFile& file : backend::gpu::print(library, lengths))
+    if (file.path.extension() == ".cu" && file.path.stem() != "bench")
+      all += "#include \"" + file.path.string() + "\"\n";
   write_text(folder / "all.cpp", all);
   const std::string errors = run(folder, "g++ -std=c++17 " + kStrict + "-O0 -shared -fPIC all.cpp -o all.so");
   if (!errors.empty()) return errors;
   void* const loaded = dlopen((folder / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!loaded) return dlerror();
   const std::string prefix = library.name + "_gpu";
-  const backend::gpu::Names names = backend::c::names(library, prefix, prefix);
+  const backend::gpu::Names names = backend::gpu::names(library, lengths);
   std::string report;
   for (const std::string& group : library.groups) {
     for (const StatesFunction& f : backend::gpu::states_functions(names, group)) {
@@ -103,24 +121,38 @@ std::string differences(const Library& library, const std::filesystem::path& fol
   return report;
 }
 
-std::string differences(const Library& library) {
+std::string differences(const Library& library, const backend::gpu::Lengths& lengths) {
   const Scratch scratch("gpu-" + library.name);
-  write_gpu(scratch.path, library);
-  return differences(library, scratch.path);
+  write_gpu(scratch.path, library, lengths);
+  return differences(library, scratch.path, lengths);
 }
 
 struct Asked {
   std::string robot;
   std::vector<std::string> groups = algorithm::default_groups();
   std::vector<std::string> derivatives = {};
+  backend::gpu::Lengths lengths = {};
+  std::vector<std::string> contacts = {};
 };
 
 Library library(const Asked& asked) {
-  std::vector<driver::Derivative> derivatives;
-  for (const std::string& text : asked.derivatives) derivatives.push_back(driver::parse_derivative(text));
-  return library_of(
-      kRobots / asked.robot / (asked.robot + ".kindsl"), asked.robot, std::nullopt, derivatives, asked.groups,
-      kGpuFeatures);
+  const std::filesystem::path document = kRobots / asked.robot / (asked.robot + ".kindsl");
+  driver::LoadOptions options;
+  const std::filesystem::path desired = std::filesystem::path(document).replace_extension("dtdsl");
+  if (exists(desired)) options.desired = desired;
+  for (const std::string& text : asked.derivatives) options.derivatives.push_back(driver::parse_derivative(text));
+  options.contacts = asked.contacts;
+  Diagnostics diagnostics;
+  const std::optional<driver::Model> model = driver::load(document, options, diagnostics);
+  EXPECT_TRUE(model.has_value()) << document;
+  return model ? driver::library(*model, {.names = {asked.robot}, .groups = asked.groups}, kGpuFeatures) : Library();
+}
+
+// Columns are solved for in a loop.
+std::vector<std::string> with_derivatives() {
+  std::vector<std::string> groups = algorithm::default_groups();
+  groups.emplace_back("forward_dynamics_derivatives");
+  return groups;
 }
 
 class GpuRobots : public testing::TestWithParam<Asked> {};
@@ -128,17 +160,17 @@ class GpuRobots : public testing::TestWithParam<Asked> {};
 TEST_P(GpuRobots, GiveWhatTheInterpreterGives) {
   const Library robot = library(GetParam());
   ASSERT_FALSE(robot.functions.empty());
-  EXPECT_EQ(differences(robot), "");
+  EXPECT_EQ(differences(robot, GetParam().lengths), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Of,
     GpuRobots,
     testing::Values(
-        Asked{"hyl"},
+        Asked{"hyl", with_derivatives()},
         Asked{"hyl_parametric", {"inverse_dynamics", "joint_space_inertia"}, {"inverse_dynamics:q,parameters"}},
-        // Columns are solved for in a loop.
-        Asked{"geared_leg", {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}},
+        // In stages, of which the last ones solve for columns.
+        Asked{"geared_leg", {"forward_dynamics_derivatives"}, {}, {1000, 400}},
 #if ROBCOGEN_TEST_EVERYTHING
         Asked{"iiwa14", algorithm::groups()},
         Asked{"centaur", algorithm::groups()},
@@ -148,14 +180,16 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"puma560"},
         Asked{"scara"},
         Asked{"delta"},
+        Asked{"quadruped", {"contacts", "operational_space"}, {}, {}, {"fr_LF_foot", "fr_RH_foot"}},
+        Asked{"quadruped", {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}, {}, {1000, 300}},
 #endif
         Asked{"five_bar", {"forward_dynamics", "transforms"}},
         // Many arrays: the poses of all frames.
         Asked{"quadruped", {"all_frames"}},
         Asked{"ball_leg", {"inverse_dynamics", "world"}}),
-    [](const auto& asked) { return asked.param.robot; });
+    [](const auto& asked) { return asked.param.robot + "_" + std::to_string(asked.index); });
 
-TEST(Gpu, WrongArgumentsAreRefused) {
+TEST(Gpu, WrongArgumentsAreRefusedAndLowerTrianglesWritten) {
   const Library leg = library({"hyl", {"joint_space_inertia"}});
   const Scratch scratch("gpu-refused");
   write_gpu(scratch.path, leg);
@@ -183,6 +217,15 @@ TEST(Gpu, WrongArgumentsAreRefused) {
   EXPECT_EQ(status(std::ptrdiff_t(1) << 31, tiles, results), robcogen_gpu_too_large);
   EXPECT_EQ(status(std::ptrdiff_t(1) << 28, tiles, results), robcogen_gpu_too_large);
   EXPECT_EQ(status(8, {q.data(), robcogen_gpu_by_element, 1 << 30}, results), robcogen_gpu_too_large);
+
+  // Lower triangles are those of symmetric results among tiles.
+  const std::vector<float> whole = H;
+  std::fill(H.begin(), H.end(), 77.0F);
+  const robcogen_gpu_array lower = {H.data(), robcogen_gpu_lower_by_tile, 0};
+  EXPECT_EQ(status(32, {q.data(), robcogen_gpu_lower_by_tile, 0}, results), robcogen_gpu_wrong_layout);
+  EXPECT_EQ(status(32, {q.data(), robcogen_gpu_by_state, 3}, lower), robcogen_gpu_wrong_layout);
+  EXPECT_EQ(status(32, tiles, lower), robcogen_gpu_success);
+  for (std::size_t k = 0; k < H.size(); ++k) EXPECT_EQ(H[k], k / 32 % 3 >= k / 32 / 3 ? whole[k] : 77.0F) << k;
   dlclose(loaded);
 }
 
@@ -194,7 +237,7 @@ TEST(Gpu, WithOneSignWrongIsFoundOut) {
   std::string text = read_text(file);
   text[text.find(" - ") + 1] = '+';
   write_text(file, text);
-  EXPECT_EQ(differences(leg, scratch.path).find("joint_space_inertia: H: element"), 0U);
+  EXPECT_EQ(differences(leg, scratch.path, {}).find("joint_space_inertia: H: element"), 0U);
 }
 
 }  // namespace

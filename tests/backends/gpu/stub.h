@@ -10,16 +10,21 @@
 #define __launch_bounds__(threads) __attribute__((launch_bounds(threads)))
 
 struct RobcogenStubIndex {
-  unsigned x;
+  unsigned x, y;
 };
 #if defined(__HIP__)
-#define blockIdx (RobcogenStubIndex{static_cast<unsigned>(__builtin_amdgcn_workgroup_id_x())})
-#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__builtin_amdgcn_workitem_id_x())})
-#define blockDim (RobcogenStubIndex{128})
+#define blockIdx                                                \
+  (RobcogenStubIndex{                                           \
+      static_cast<unsigned>(__builtin_amdgcn_workgroup_id_x()), \
+      static_cast<unsigned>(__builtin_amdgcn_workgroup_id_y())})
+#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__builtin_amdgcn_workitem_id_x()), 0})
+#define blockDim (RobcogenStubIndex{128, 1})
 #else
-#define blockIdx (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_x())})
-#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_tid_x())})
-#define blockDim (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_ntid_x())})
+#define blockIdx      \
+  (RobcogenStubIndex{ \
+      static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_x()), static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_y())})
+#define threadIdx (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_tid_x()), 0})
+#define blockDim (RobcogenStubIndex{static_cast<unsigned>(__nvvm_read_ptx_sreg_ntid_x()), 1})
 #endif
 
 #define ROBCOGEN_STUB static inline __host__ __device__
@@ -41,3 +46,20 @@ ROBCOGEN_STUB void* memcpy(void* to, const void* from, __SIZE_TYPE__ count) {
 __device__ __host__ float atan2f(float y, float x);
 __device__ __host__ double atan2(double y, double x);
 #undef ROBCOGEN_STUB
+
+// What the library calls to start kernels by HIP.
+#if defined(__HIP__)
+struct dim3 {
+  unsigned x, y, z;
+  dim3(unsigned x_, unsigned y_ = 1, unsigned z_ = 1) : x(x_), y(y_), z(z_) {}
+};
+enum hipError_t { hipSuccess, hipErrorNoBinaryForGpu, hipErrorInvalidDeviceFunction, hipErrorUnknown };
+typedef struct RobcogenStubStream* hipStream_t;
+hipError_t hipLaunchKernel(
+    const void* kernel,
+    dim3 blocks,
+    dim3 threads,
+    void** arguments,
+    __SIZE_TYPE__ shared,
+    hipStream_t);
+#endif

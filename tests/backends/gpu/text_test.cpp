@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "../../unit/backend/programs.h"
@@ -150,24 +149,35 @@ TEST(GpuText, AvoidsReservedNames) {
     EXPECT_NE(text.find(name), std::string::npos) << text;
 }
 
-// A unit that makes the compiler print code for the first function of each group, over tiles.
+// A unit that makes the compiler print code for the kernels of the first function of each group, over tiles.
 std::string instances(const Library& library, const std::vector<std::string>& scalars) {
-  const std::string prefix = library.name + "_gpu";
-  const backend::gpu::Names names = backend::c::names(library, prefix, prefix);
+  const backend::gpu::Names names = backend::gpu::names(library);
   std::string includes, text = "using namespace robcogen::gpu;\n";
   for (const std::string& group : library.groups) {
-    includes += "#include \"" + prefix + "/" + group + "_kernels.h\"\n";
+    includes += "#include \"" + names.folder + "/" + group + "_kernels.h\"\n";
     const std::vector<StatesFunction> functions = backend::gpu::states_functions(names, group);
     if (functions.empty()) continue;
-    for (const std::string& scalar : scalars) {
-      text += "template __global__ void " + prefix + "_kernel_" + functions[0].name + "<" + scalar + ">(int";
-      for (const auto& a : functions[0].arrays)
-        text +=
-            std::string(a.is_often_same ? ", Strides<" : ", Tiles<") + (a.array.output ? "" : "const ") + scalar + ">";
-      text += ");\n";
+    for (const backend::gpu::StatesKernel& kernel : functions[0].kernels()) {
+      for (const std::string& scalar : scalars) {
+        text += "template __global__ void " + names.prefix + "_kernel_" + kernel.name + "<" + scalar + ">(int";
+        for (const std::size_t k : kernel.arrays) {
+          const backend::gpu::StatesArray a = functions[0].array(k);
+          text += std::string(a.is_often_same ? ", Strides<" : ", Tiles<") + (a.array.output ? "" : "const ") + scalar +
+                  ">";
+        }
+        text += ");\n";
+      }
     }
   }
   return includes + text;
+}
+
+// The largest of the numbers before these words in a report; -1: there is none.
+int largest_before(const std::string& report, const std::string& words) {
+  int largest = -1;
+  for (std::size_t at = 0; (at = report.find(words, at)) != std::string::npos; ++at)
+    largest = std::max(largest, std::stoi(report.substr(report.rfind(' ', at - 1) + 1)));
+  return largest;
 }
 
 class GpuCompilers : public testing::Test {
@@ -195,13 +205,23 @@ TEST_F(GpuCompilers, ClangTakesItAsCuda) {
   EXPECT_NE(code.find("rcp.approx.ftz.f32"), std::string::npos);
   EXPECT_NE(code.find("rcp.approx.ftz.f64"), std::string::npos);
   EXPECT_EQ(code.find("div.rn"), std::string::npos) << "a quotient has a slow path";
-  EXPECT_FALSE(std::regex_search(code, std::regex("\\bcall\\b"))) << "a function was not inlined";
+  EXPECT_EQ(code.find("\tcall"), std::string::npos) << "a function was not inlined";
 }
 
 TEST_F(GpuCompilers, ClangTakesItAsHip) {
   if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
   EXPECT_EQ(compile("-x hip --offload-arch=gfx90a -nogpuinc -nogpulib"), "");
   EXPECT_NE(read_text(scratch.path / "all.s").find(".amdhsa_kernel"), std::string::npos);
+}
+
+// Also the calls by which the library starts kernels.
+TEST_F(GpuCompilers, ClangTakesTheUnitsAsHip) {
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
+  EXPECT_EQ(
+      run(scratch.path, CLANG " -std=c++17 -x hip --offload-arch=gfx90a -nogpuinc -nogpulib -Wall -Wextra -Werror "
+                              "-include " TEST_SOURCE_DIR "/stub.h" +
+                            kIncludes + "-fsyntax-only hyl_gpu/forward_dynamics.cu"),
+      "");
 }
 
 TEST_F(GpuCompilers, GccTakesItAsC) {
@@ -216,7 +236,7 @@ TEST_F(GpuCompilers, GccTakesItAsC) {
         "");
 }
 
-// The registers and the spilled bytes of kernels, as ptxas counts them, are not worse than in the table.
+// The most registers and spilled bytes of a kernel, as ptxas counts them, are not worse than in the table.
 TEST(GpuCode, NeedsNoMoreRegistersThanBefore) {
   if (std::string(NVCC).empty()) GTEST_SKIP() << "nvcc was not found";
   std::ifstream table(TEST_SOURCE_DIR "/registers.txt");
@@ -234,12 +254,12 @@ TEST(GpuCode, NeedsNoMoreRegistersThanBefore) {
     const std::string report =
         run(scratch.path,
             NVCC " -std=c++17 -O3 -arch=" + architecture + " -cubin -Xptxas -v" + kIncludes + "all.cu -o all.cubin");
-    std::smatch used, stores;
-    ASSERT_TRUE(std::regex_search(report, used, std::regex("Used ([0-9]+) registers"))) << report;
-    ASSERT_TRUE(std::regex_search(report, stores, std::regex("([0-9]+) bytes spill stores"))) << report;
     const std::string name = robot + " " + group + " " + scalar + " " + architecture;
-    EXPECT_LE(std::stoi(used[1]), registers + 8) << name;
-    EXPECT_LE(std::stoi(stores[1]), spilled + 64) << name;
+    const int used = largest_before(report, " registers"), stored = largest_before(report, " bytes spill stores");
+    ASSERT_GE(used, 0) << report;
+    ASSERT_GE(stored, 0) << report;
+    EXPECT_LE(used, registers + 8) << name;
+    EXPECT_LE(stored, spilled + 64) << name;
     ++rows;
   }
   EXPECT_GT(rows, 0);

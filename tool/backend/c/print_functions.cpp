@@ -17,9 +17,6 @@ std::string documentation(const Names& names, const NamedFunction& c, const std:
   return comment(describe_function(names.library, *c.function, arrays, {}, words));
 }
 
-namespace {
-
-// `RC_FUNCTION(2) f(RC_IN(1, q), RC_OUT(2, H))`, or a part of it.
 std::string macro_signature(const std::string& name, const std::vector<KernelArray>& list, const std::string& end) {
   int position = 0;
   std::vector<std::string> arguments;
@@ -29,6 +26,8 @@ std::string macro_signature(const std::string& name, const std::vector<KernelArr
                         : (p.output ? "RC_OUT(" : "RC_IN(") + std::to_string(++position) + ", " + p.name + ")");
   return wrapped("RC_FUNCTION(" + std::to_string(position) + ") " + name + "(", arguments, ")" + end);
 }
+
+namespace {
 
 // `void f(const double *hyl_restrict q, …)`, or a part of it. `linkage`: `static ` or nothing.
 std::string signature(

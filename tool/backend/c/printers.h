@@ -67,6 +67,8 @@ Names names(const Library& library, const std::string& prefix, const std::string
 std::string documentation(const Names& names, const NamedFunction& c, const std::vector<KernelArray>& list);
 // The array as a call passes it on.
 std::string passed(const KernelArray& array, const Precision& precision);
+// `RC_FUNCTION(2) f(RC_IN(1, q), RC_OUT(2, H))`, or a part of it: of text for GPUs.
+std::string macro_signature(const std::string& name, const std::vector<KernelArray>& list, const std::string& end);
 // Arrays that functions keep to themselves: plain ones in text for GPUs too.
 bool is_kept(const std::string& array);
 

@@ -6,6 +6,7 @@
 #include "backend/common/fit_lines.h"
 #include "backend/common/value_names.h"
 #include "support/index.h"
+#include "symbolic/stages.h"
 
 namespace robcogen::backend {
 namespace {
@@ -36,7 +37,8 @@ std::vector<KernelArray> claim_parameters(const Program& program, const Dialect&
     result.push_back(
         {scope.claim(program.inputs[p].name), false, true, std::move(elements[p]), 1,
          program.inputs[p].role == symbolic::Role::parameters});
-  for (const symbolic::OutputArray& array : program.outputs) result.push_back({scope.claim(array.name), true});
+  for (const symbolic::OutputArray& array : program.outputs)
+    result.push_back({symbolic::is_read_and_written(array.name) ? array.name : scope.claim(array.name), true});
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "support/index.h"
+#include "symbolic/stages.h"
 
 namespace robcogen::backend {
 namespace {
@@ -58,7 +59,7 @@ class LinePlanner {
       for (std::size_t k = 0; k < values.size(); ++k) {
         const Operand& o = values[k];
         if (o.kind == Operand::Kind::input) plan_.inputs_used[at(o.index)] = true;
-        if (is_statement(o) && !plan_.is_in_block(p, k))
+        if (is_statement(o) && o != symbolic::kNotWritten && !plan_.is_in_block(p, k))
           plan_.stores[at(o.index)].push_back({p, k, o.negative, o.lane});
       }
     }

@@ -1,18 +1,17 @@
 // Functions over many states that a program on the host calls: their declarations, and the units that start kernels.
 #include "backend/gpu/printers.h"
 #include "support/concat.h"
+#include "support/index.h"
 
 namespace robcogen::backend::gpu {
 namespace {
 
-struct Scalar {
-  const char *type, *suffix;
-};
-constexpr Scalar kScalars[] = {{"double", ""}, {"float", "f"}};
+const std::string kWorkspace = symbolic::kWorkspace;
 
 std::string signature(const Names& names, const StatesFunction& f, const Scalar& scalar, const std::string& end) {
   std::vector<std::string> arguments = {"void *stream", "ptrdiff_t n"};
   for (const StatesArray& a : f.arrays) arguments.push_back("robcogen_gpu_array " + a.array.name);
+  if (f.stages) arguments.push_back("robcogen_gpu_workspace " + kWorkspace);
   return c::wrapped(
       "robcogen_gpu_status " + names.prefix + "_batch_" + f.name + scalar.suffix + "(", arguments, ")" + end);
 }
@@ -25,6 +24,10 @@ std::string overload(const Names& names, const StatesFunction& f, const Scalar& 
     const std::string kind = a.array.output ? "robcogen::gpu::Out<" : "robcogen::gpu::In<";
     arguments.push_back(kind + scalar.type + "> " + a.array.name);
     passed += ", " + a.array.name + ".array";
+  }
+  if (f.stages) {
+    arguments.push_back("robcogen::gpu::Workspace " + kWorkspace);
+    passed += ", {" + kWorkspace + ".data, " + kWorkspace + ".bytes}";
   }
   return c::wrapped("inline robcogen::gpu::Status " + f.name + "(", arguments, ") noexcept {") +
          c::wrapped(
@@ -40,30 +43,87 @@ std::string documentation(const Names& names, const StatesFunction& f) {
   return c::documentation(names, *f.function, list);
 }
 
-// The kernel with all arrays of `kind`, as a template argument.
-std::string instance(const Names& names, const StatesFunction& f, const std::string& kind) {
+// The bytes of the workspace of a function in stages.
+std::string size_of_workspace(const Names& names, const StatesFunction& f, const Scalar& scalar) {
+  return "static inline size_t " + names.prefix + "_batch_" + f.name + "_workspace" + scalar.suffix +
+         "(ptrdiff_t n) {\n  return robcogen_gpu_workspace_bytes(n, " + std::to_string(f.stages->workspace) +
+         ", sizeof(" + scalar.type + "));\n}\n";
+}
+
+std::string size_of_workspace(const StatesFunction& f) {
+  return "template <class Scalar>\nstd::size_t " + f.name +
+         "_workspace(std::ptrdiff_t n) noexcept {\n  return robcogen_gpu_workspace_bytes(n, " +
+         std::to_string(f.stages->workspace) + ", sizeof(Scalar));\n}\n";
+}
+
+// Whether the result is a matrix whose values above the diagonal are those below it.
+bool is_symmetric(const StatesFunction& f, std::size_t array) {
+  if (!f.function || f.function->function->solved || f.stages) return false;
+  const symbolic::Program& program = f.function->function->program;
+  if (array < program.inputs.size()) return false;
+  const symbolic::OutputArray& output = program.outputs[array - program.inputs.size()];
+  if (output.role != symbolic::Role::inertia_matrix || output.rows != output.columns) return false;
+  for (int row = 0; row < output.rows; ++row)
+    for (int column = 0; column < row; ++column)
+      if (output.values[at(row + column * output.rows)] != output.values[at(column + row * output.rows)]) return false;
+  return true;
+}
+
+// The kernel with all arrays of `kind`, as a template argument; `Lower`: tiles, of symmetric results the lower
+// triangle. The workspace consists of tiles.
+std::string instance(const Names& names, const StatesFunction& f, const StatesKernel& kernel, const std::string& kind) {
   std::vector<std::string> arguments = {"REAL"};
-  for (const StatesArray& a : f.arrays)
-    arguments.push_back((a.is_often_same ? "Strides" : kind) + (a.array.output ? "<REAL>" : "<const REAL>"));
-  return names.prefix + "_kernel_" + f.name + "<" + joined(arguments, ", ") + ">";
+  for (const std::size_t k : kernel.arrays) {
+    const StatesArray a = f.array(k);
+    const std::string number = a.array.output ? "REAL" : "const REAL";
+    if (a.is_often_same)
+      arguments.push_back("Strides<" + number + ">");
+    else if (kind == "Lower" && is_symmetric(f, k))
+      arguments.push_back("LowerTiles<REAL, " + std::to_string(a.rows) + ">");
+    else
+      arguments.push_back((kind == "Strides" && k < f.arrays.size() ? "Strides<" : "Tiles<") + number + ">");
+  }
+  return names.prefix + "_kernel_" + kernel.name + "<" + joined(arguments, ", ") + ">";
+}
+
+// Starts one kernel of several.
+std::string print_run(const Names& names, const StatesFunction& f, const StatesKernel& kernel) {
+  std::vector<std::string> places;
+  for (const std::size_t k : kernel.arrays) places.push_back(std::to_string(k));
+  return c::wrapped(
+      "  stages.template run<" + joined(places, ", ") + ">(",
+      {std::to_string(kernel.columns ? kernel.columns->runs : 1), instance(names, f, kernel, "Tiles"),
+       instance(names, f, kernel, "Strides")},
+      ");");
 }
 
 std::string print_launch(const Names& names, const StatesFunction& f) {
   std::vector<std::string> arguments;
   for (const StatesArray& a : f.arrays) arguments.push_back("{" + a.array.name + ", " + std::to_string(a.size) + "}");
   const std::string count = std::to_string(f.arrays.size());
-  std::string text =
-      "template <class REAL>\n" +
-      c::wrapped(
-          "static robcogen_gpu_status start_" + f.name + "(",
-          {"void *stream", "ptrdiff_t n", "const Argument (&arguments)[" + count + "]"}, ") {") +
-      c::wrapped(
-          "  return start(", {"stream", "n", "arguments", instance(names, f, "Tiles"), instance(names, f, "Strides")},
-          ");") +
-      "}\n";
+  const std::vector<StatesKernel> list = f.kernels();
+  std::vector<std::string> parameters = {"void *stream", "ptrdiff_t n", "const Argument (&arguments)[" + count + "]"};
+  std::string end = "})", body;
+  if (f.stages) {
+    parameters.push_back("robcogen_gpu_workspace workspace");
+    end = "}, workspace)";
+    body = c::wrapped(
+        "  Stages<REAL, " + count + "> stages(",
+        {"stream", "n", "arguments", "workspace", std::to_string(f.stages->workspace)}, ");");
+    for (const StatesKernel& kernel : list) body += print_run(names, f, kernel);
+    body += "  return stages.status();\n";
+  } else {
+    std::vector<std::string> passed = {"stream", "n", "arguments", instance(names, f, list[0], "Tiles")};
+    const std::string lower = instance(names, f, list[0], "Lower");
+    if (lower != passed.back()) passed.push_back(lower);
+    passed.push_back(instance(names, f, list[0], "Strides"));
+    body = c::wrapped("  return start(", passed, ");");
+  }
+  std::string text = "template <class REAL>\n" +
+                     c::wrapped("static robcogen_gpu_status start_" + f.name + "(", parameters, ") {") + body + "}\n";
   for (const Scalar& scalar : kScalars)
     text += signature(names, f, scalar, " {") +
-            c::wrapped("  return start_" + f.name + "<" + scalar.type + ">(stream, n, {", arguments, "});") + "}\n";
+            c::wrapped("  return start_" + f.name + "<" + scalar.type + ">(stream, n, {", arguments, end + ";") + "}\n";
   return text;
 }
 
@@ -74,7 +134,9 @@ std::string print_batch(const Names& names, const std::vector<std::string>& grou
   for (const std::string& group : groups) {
     for (const StatesFunction& f : states_functions(names, group)) {
       plain += "\n" + documentation(names, f);
+      if (f.stages) overloads += size_of_workspace(f);
       for (const Scalar& scalar : kScalars) {
+        if (f.stages) plain += size_of_workspace(names, f, scalar);
         plain += signature(names, f, scalar, ";");
         overloads += overload(names, f, scalar);
       }

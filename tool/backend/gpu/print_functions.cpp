@@ -7,21 +7,27 @@
 namespace robcogen::backend::gpu {
 namespace {
 
-std::string print_kernel(const Names& names, const StatesFunction& f) {
+std::string print_kernel(const Names& names, const StatesFunction& f, const StatesKernel& kernel) {
   std::vector<std::string> arguments = {"const int rc_n"}, passed;
   std::string states;
-  for (std::size_t k = 0; k < f.arrays.size(); ++k) {
-    const StatesArray& a = f.arrays[k];
+  for (const std::size_t k : kernel.arrays) {
+    const StatesArray a = f.array(k);
     const std::string kind = a.array.output ? "OUT(" : "IN(";
-    arguments.push_back("RC_STATES_" + kind + std::to_string(k + 1) + ", " + a.array.name + ")");
+    arguments.push_back("RC_STATES_" + kind + std::to_string(arguments.size()) + ", " + a.array.name + ")");
     passed.push_back(c::passed(a.array, c::kMacros));
     states += "    RC_STATE_" + kind + a.array.name + ", " + std::to_string(a.size) + ");\n";
   }
+  std::string loops = "RC_FOR_STATES(rc_n)", called = names.prefix + "_" + f.name;
+  if (kernel.stage) called = stage_name(names, f, kernel.number);
+  if (const symbolic::Stage::Columns* columns = kernel.columns) {
+    loops = "RC_FOR_RUNS(" + std::to_string(columns->runs) + ") " + loops;
+    passed.front() = "RC_FROM(" + f.array(kernel.arrays.front()).array.name + ", " + std::to_string(columns->first) +
+                     " + rc_run * " + std::to_string(columns->stride) + ")";
+  }
   return c::wrapped(
-             "RC_KERNEL(" + std::to_string(f.arrays.size()) + ") " + names.prefix + "_kernel_" + f.name + "(",
+             "RC_KERNEL(" + std::to_string(kernel.arrays.size()) + ") " + names.prefix + "_kernel_" + kernel.name + "(",
              arguments, ") {") +
-         "  RC_FOR_STATES(rc_n) {\n" + states +
-         c::wrapped("    RC_CALL(" + names.prefix + "_" + f.name + ")(", passed, ");") + "  }\n}\n";
+         "  " + loops + " {\n" + states + c::wrapped("    RC_CALL(" + called + ")(", passed, ");") + "  }\n}\n";
 }
 
 // The header of macros has templates of up to this many arrays.
@@ -61,7 +67,10 @@ std::string print_kernels(const Names& names, const std::string& group) {
       c::comment(
           "Element by element in each array, one state in each thread; on the host, all states one after "
           "another.");
-  for (const StatesFunction& f : states_functions(names, group)) text += "\n" + print_kernel(names, f);
+  for (const StatesFunction& f : states_functions(names, group)) {
+    if (f.stages) text += print_stages(names, f);
+    for (const StatesKernel& kernel : f.kernels()) text += "\n" + print_kernel(names, f, kernel);
+  }
   return c::header(names, group + "_kernels.h", group + " over many states", text);
 }
 

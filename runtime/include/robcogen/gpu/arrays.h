@@ -65,4 +65,30 @@ struct Strides {
   }
 };
 
+// The lower triangle of a symmetric matrix in another array of one state: what is written above the diagonal is
+// dropped.
+template <class Elements, int kRows>
+struct LowerTriangle {
+  Elements elements;
+
+  struct Element {
+    const Elements& elements;
+    int place;
+    template <class Number>
+    RC_DEVICE Number operator=(Number value) const {
+      if (place % kRows >= place / kRows) elements[place] = value;
+      return value;
+    }
+  };
+  RC_DEVICE Element operator[](int k) const { return {elements, k}; }
+};
+template <class Number, int kRows>
+struct LowerTiles {
+  Number* data;
+  template <int kSize>
+  RC_DEVICE LowerTriangle<Spaced<Number, kTile>, kRows> state(int i) const {
+    return {Tiles<Number>{data}.template state<kSize>(i)};
+  }
+};
+
 }  // namespace robcogen::gpu

@@ -12,20 +12,23 @@ extern "C" {
 
 typedef enum robcogen_gpu_status {
   robcogen_gpu_success = 0,
-  robcogen_gpu_negative_count,  // n is negative
-  robcogen_gpu_too_large,       // the arrays of n states have 2^31 elements or more
-  robcogen_gpu_wrong_stride,    // less than n by element, or less than the elements of a state by state
-  robcogen_gpu_misaligned,      // an array is null, or not aligned to its numbers
-  robcogen_gpu_no_device_code,  // the library has no code for this device: GPU_ARCHITECTURES
-  robcogen_gpu_launch_failed    // CUDA or HIP did not start the kernel; cudaGetLastError() says why
+  robcogen_gpu_negative_count,   // n is negative
+  robcogen_gpu_too_large,        // the arrays of n states have 2^31 elements or more
+  robcogen_gpu_wrong_stride,     // less than n by element, or less than the elements of a state by state
+  robcogen_gpu_misaligned,       // an array is null, or not aligned to its numbers
+  robcogen_gpu_no_device_code,   // the library has no code for this device: GPU_ARCHITECTURES
+  robcogen_gpu_launch_failed,    // CUDA or HIP did not start the kernel; cudaGetLastError() says why
+  robcogen_gpu_small_workspace,  // the workspace is smaller than the function says, null, or misaligned
+  robcogen_gpu_wrong_layout      // lower triangles by tile: of a symmetric result, with tiles of all other arrays
 } robcogen_gpu_status;
 
 // Where element k of state i is in an array of states with `size` elements each.
 typedef enum robcogen_gpu_layout {
-  robcogen_gpu_by_tile = 0,  // data[i / 32 * 32 * size + k * 32 + i % 32]; memory for a multiple of 32 states
-  robcogen_gpu_by_element,   // data[k * stride + i]
-  robcogen_gpu_by_state,     // data[i * stride + k]; stride 0: size
-  robcogen_gpu_same_for_all  // data[k]
+  robcogen_gpu_by_tile = 0,   // data[i / 32 * 32 * size + k * 32 + i % 32]; memory for a multiple of 32 states
+  robcogen_gpu_by_element,    // data[k * stride + i]
+  robcogen_gpu_by_state,      // data[i * stride + k]; stride 0: size
+  robcogen_gpu_same_for_all,  // data[k]
+  robcogen_gpu_lower_by_tile  // by tile; elements above the diagonal of a symmetric result are not written
 } robcogen_gpu_layout;
 
 // An array in the memory of the device, of the numbers that the function takes.
@@ -34,6 +37,17 @@ typedef struct robcogen_gpu_array {
   robcogen_gpu_layout layout;
   ptrdiff_t stride;
 } robcogen_gpu_array;
+
+// Memory of the device that the kernels of one function pass numbers through. Calls that run at the same time need one
+// each.
+typedef struct robcogen_gpu_workspace {
+  void* data;
+  size_t bytes;
+} robcogen_gpu_workspace;
+
+static inline size_t robcogen_gpu_workspace_bytes(ptrdiff_t n, size_t numbers, size_t bytes_of_number) {
+  return n <= 0 ? 0 : ((size_t)n + 31) / 32 * 32 * numbers * bytes_of_number;
+}
 
 static inline const char* robcogen_gpu_message(robcogen_gpu_status status) {
   switch (status) {
@@ -51,6 +65,10 @@ static inline const char* robcogen_gpu_message(robcogen_gpu_status status) {
       return "the library has no code for this device";
     case robcogen_gpu_launch_failed:
       return "the kernel did not start";
+    case robcogen_gpu_small_workspace:
+      return "the workspace is too small, null or misaligned";
+    case robcogen_gpu_wrong_layout:
+      return "lower triangles are those of symmetric results, with tiles of all other arrays";
   }
   return "unknown status";
 }
@@ -67,7 +85,9 @@ enum class Status {
   wrong_stride = robcogen_gpu_wrong_stride,
   misaligned = robcogen_gpu_misaligned,
   no_device_code = robcogen_gpu_no_device_code,
-  launch_failed = robcogen_gpu_launch_failed
+  launch_failed = robcogen_gpu_launch_failed,
+  small_workspace = robcogen_gpu_small_workspace,
+  wrong_layout = robcogen_gpu_wrong_layout
 };
 
 inline const char* message(Status status) noexcept {
@@ -79,6 +99,11 @@ struct Stream {
   void* handle = nullptr;
   Stream() = default;
   Stream(void* stream) noexcept : handle(stream) {}
+};
+
+struct Workspace {
+  void* data = nullptr;
+  std::size_t bytes = 0;
 };
 
 template <class Number>
@@ -99,6 +124,11 @@ Array<Number> by_element(Number* data, std::ptrdiff_t stride) noexcept {
 template <class Number>
 Array<Number> by_state(Number* data, std::ptrdiff_t stride = 0) noexcept {
   return {data, robcogen_gpu_by_state, stride};
+}
+// Of a symmetric result, whose elements above the diagonal are not written.
+template <class Number>
+Array<Number> lower_by_tile(Number* data) noexcept {
+  return {data, robcogen_gpu_lower_by_tile, 0};
 }
 // One state, the same for all.
 template <class Number>

@@ -13,6 +13,8 @@
 #define RC_KERNEL_TYPE __kernel void
 #define RC_FIRST_STATE ((int)get_global_id(0))
 #define RC_NEXT_STATE(i, n) (n)
+#define RC_FIRST_RUN ((int)get_global_id(1))
+#define RC_NEXT_RUN(i, n) (n)
 #elif defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__)
 #if defined(__HIP__) && !defined(__HIPCC_RTC__) && !defined(ROBCOGEN_GPU_STUB)
 #include <hip/hip_runtime.h>
@@ -21,19 +23,27 @@
 #define RC_KERNEL_TYPE __global__ void __launch_bounds__(128)
 #define RC_FIRST_STATE ((int)(blockIdx.x * blockDim.x + threadIdx.x))
 #define RC_NEXT_STATE(i, n) (n)
+#define RC_FIRST_RUN ((int)blockIdx.y)
+#define RC_NEXT_RUN(i, n) (n)
 #elif defined(__cplusplus)
 #define RC_DEVICE inline
 #define RC_KERNEL_TYPE inline void
 #define RC_FIRST_STATE 0
 #define RC_NEXT_STATE(i, n) ((i) + 1)
+#define RC_FIRST_RUN 0
+#define RC_NEXT_RUN(i, n) ((i) + 1)
 #else
 #define RC_DEVICE static inline
 #define RC_KERNEL_TYPE static inline void
 #define RC_FIRST_STATE 0
 #define RC_NEXT_STATE(i, n) ((i) + 1)
+#define RC_FIRST_RUN 0
+#define RC_NEXT_RUN(i, n) ((i) + 1)
 #endif
 
 #define RC_FOR_STATES(n) for (int rc_state = RC_FIRST_STATE; rc_state < (n); rc_state = RC_NEXT_STATE(rc_state, n))
+// For kernels that compute several groups of columns of each state, one in each thread.
+#define RC_FOR_RUNS(n) for (int rc_run = RC_FIRST_RUN; rc_run < (n); rc_run = RC_NEXT_RUN(rc_run, n))
 
 #include "robcogen/gpu/scalar.h"
 

@@ -36,13 +36,21 @@ template <class Number>
 bool is_taken(const Argument& a, const Tiles<Number>*) noexcept {
   return a.array.layout == robcogen_gpu_by_tile;
 }
+template <class Number, int kRows>
+bool is_taken(const Argument& a, const LowerTiles<Number, kRows>*) noexcept {
+  return a.array.layout == robcogen_gpu_lower_by_tile;
+}
 template <class Number>
-bool is_taken(const Argument&, const Strides<Number>*) noexcept {
-  return true;
+bool is_taken(const Argument& a, const Strides<Number>*) noexcept {
+  return a.array.layout != robcogen_gpu_lower_by_tile;
 }
 
 template <class Number>
 void take(const Argument& a, Tiles<Number>& states) noexcept {
+  states = {static_cast<Number*>(const_cast<void*>(a.array.data))};
+}
+template <class Number, int kRows>
+void take(const Argument& a, LowerTiles<Number, kRows>& states) noexcept {
   states = {static_cast<Number*>(const_cast<void*>(a.array.data))};
 }
 template <class Number>
@@ -52,6 +60,7 @@ void take(const Argument& a, Strides<Number>& states) noexcept {
   const int given = static_cast<int>(stride);
   switch (layout) {
     case robcogen_gpu_by_tile:
+    case robcogen_gpu_lower_by_tile:
       states.strides = {5, kTile * a.size, kTile};
       break;
     case robcogen_gpu_by_element:
@@ -66,34 +75,39 @@ void take(const Argument& a, Strides<Number>& states) noexcept {
   }
 }
 
+// Where and how a kernel runs: `runs` is the number of its threads for one state.
+struct Launch {
+  void* stream;
+  int n;
+  unsigned runs;
+};
+
 template <class... States>
-robcogen_gpu_status run(void (*kernel)(int, States...), void* stream, int n, States... states) noexcept {
+robcogen_gpu_status run(void (*kernel)(int, States...), Launch launch, States... states) noexcept {
+#if defined(__CUDACC__) || defined(__HIP__)
+  void* pointers[] = {&launch.n, &states...};
+  const dim3 blocks((static_cast<unsigned>(launch.n) + 127) / 128, launch.runs), threads(128);
+  const void* const code = reinterpret_cast<const void*>(kernel);
+#endif
 #if defined(__CUDACC__)
-  void* pointers[] = {&n, &states...};
-  const unsigned blocks = (static_cast<unsigned>(n) + 127) / 128;
-  const cudaError_t error = cudaLaunchKernel(
-      reinterpret_cast<const void*>(kernel), dim3(blocks), dim3(128), pointers, 0, static_cast<cudaStream_t>(stream));
+  const cudaError_t error =
+      cudaLaunchKernel(code, blocks, threads, pointers, 0, static_cast<cudaStream_t>(launch.stream));
   if (error == cudaErrorNoKernelImageForDevice || error == cudaErrorInvalidDeviceFunction)
     return robcogen_gpu_no_device_code;
   return error == cudaSuccess ? robcogen_gpu_success : robcogen_gpu_launch_failed;
 #elif defined(__HIP__)
-  void* pointers[] = {&n, &states...};
-  const unsigned blocks = (static_cast<unsigned>(n) + 127) / 128;
-  const hipError_t error = hipLaunchKernel(
-      reinterpret_cast<const void*>(kernel), dim3(blocks), dim3(128), pointers, 0, static_cast<hipStream_t>(stream));
+  const hipError_t error = hipLaunchKernel(code, blocks, threads, pointers, 0, static_cast<hipStream_t>(launch.stream));
   if (error == hipErrorNoBinaryForGpu || error == hipErrorInvalidDeviceFunction) return robcogen_gpu_no_device_code;
   return error == hipSuccess ? robcogen_gpu_success : robcogen_gpu_launch_failed;
 #else
-  (void)stream;
-  kernel(n, states...);
+  kernel(launch.n, states...);
   return robcogen_gpu_success;
 #endif
 }
 
 template <std::size_t kCount, class... States>
 robcogen_gpu_status take_and_run(
-    void* stream,
-    int n,
+    const Launch& launch,
     const Argument (&arguments)[kCount],
     void (*kernel)(int, States...)) noexcept {
   const Argument* next = arguments;
@@ -103,35 +117,92 @@ robcogen_gpu_status take_and_run(
   };
   struct Call {
     robcogen_gpu_status status;
-    Call(void (*k)(int, States...), void* s, int count, States... states) : status(run(k, s, count, states...)) {}
+    Call(void (*k)(int, States...), const Launch& l, States... states) : status(run(k, l, states...)) {}
   };
   // Braces evaluate the arguments from left to right.
-  return Call{kernel, stream, n, taken(States{})...}.status;
+  return Call{kernel, launch, taken(States{})...}.status;
 }
 
-// Starts the kernel over tiles if it takes all arguments, otherwise that with strides.
-template <std::size_t kCount, class... Tiled, class... Strided>
+template <std::size_t kCount>
+robcogen_gpu_status check(std::ptrdiff_t n, const Argument (&arguments)[kCount], std::size_t alignment) noexcept {
+  if (n < 0) return robcogen_gpu_negative_count;
+  if (n == 0) return robcogen_gpu_success;
+  if (n > kMaxElements - 2 * kTile) return robcogen_gpu_too_large;
+  for (const Argument& a : arguments)
+    if (const robcogen_gpu_status bad = check(n, a, alignment); bad != robcogen_gpu_success) return bad;
+  return robcogen_gpu_success;
+}
+
+// Starts the first of the kernels that takes all arguments.
+template <std::size_t kCount>
+robcogen_gpu_status start(const Launch&, const Argument (&)[kCount]) noexcept {
+  return robcogen_gpu_wrong_layout;
+}
+template <std::size_t kCount, class... States, class... Others>
+robcogen_gpu_status start(
+    const Launch& launch,
+    const Argument (&arguments)[kCount],
+    void (*kernel)(int, States...),
+    Others... others) noexcept {
+  static_assert(sizeof...(States) == kCount);
+  const Argument* next = arguments;
+  const bool are_taken[] = {is_taken(*next++, static_cast<const States*>(nullptr))...};
+  for (const bool is_taken : are_taken)
+    if (!is_taken) return start(launch, arguments, others...);
+  return take_and_run(launch, arguments, kernel);
+}
+
+// The same for a function that is one kernel: over tiles, with strides, or between them over other tiles.
+template <std::size_t kCount, class First, class... States, class... Others>
 robcogen_gpu_status start(
     void* stream,
     std::ptrdiff_t n,
     const Argument (&arguments)[kCount],
-    void (*over_tiles)(int, Tiled...),
-    void (*with_strides)(int, Strided...)) noexcept {
-  static_assert(sizeof...(Tiled) == kCount && sizeof...(Strided) == kCount);
-  if (n < 0) return robcogen_gpu_negative_count;
-  if (n == 0) return robcogen_gpu_success;
-  if (n > kMaxElements - 2 * kTile) return robcogen_gpu_too_large;
-  const std::size_t alignments[] = {alignof(decltype(*Tiled::data))...};
-  const Argument* next = arguments;
-  const bool are_tiles[] = {is_taken(*next++, static_cast<const Tiled*>(nullptr))...};
-  bool are_taken = true;
-  for (std::size_t k = 0; k < kCount; ++k) {
-    are_taken = are_taken && are_tiles[k];
-    if (const robcogen_gpu_status bad = check(n, arguments[k], alignments[k]); bad != robcogen_gpu_success) return bad;
-  }
-  const int count = static_cast<int>(n);
-  return are_taken ? take_and_run(stream, count, arguments, over_tiles)
-                   : take_and_run(stream, count, arguments, with_strides);
+    void (*kernel)(int, First, States...),
+    Others... others) noexcept {
+  const robcogen_gpu_status checked = check(n, arguments, alignof(decltype(*First::data)));
+  if (checked != robcogen_gpu_success || n == 0) return checked;
+  return start(Launch{stream, static_cast<int>(n), 1}, arguments, kernel, others...);
 }
+
+// The kernels of a function, one after the other, until one does not start.
+template <class Number, std::size_t kCount>
+class Stages {
+ public:
+  // `size`: the elements of one state in the workspace.
+  Stages(
+      void* stream,
+      std::ptrdiff_t n,
+      const Argument (&arguments)[kCount],
+      const robcogen_gpu_workspace& workspace,
+      int size) noexcept
+      : launch_{stream, static_cast<int>(n), 1}, status_(check(n, arguments, alignof(Number))) {
+    for (std::size_t k = 0; k < kCount; ++k) arguments_[k] = arguments[k];
+    arguments_[kCount] = {{workspace.data, robcogen_gpu_by_tile, 0}, size};
+    if (status_ != robcogen_gpu_success || n == 0) return;
+    const robcogen_gpu_status fits = check(n, arguments_[kCount], alignof(Number));
+    if (fits == robcogen_gpu_too_large)
+      status_ = fits;
+    else if (
+        fits != robcogen_gpu_success ||
+        workspace.bytes < robcogen_gpu_workspace_bytes(n, static_cast<std::size_t>(size), sizeof(Number)))
+      status_ = robcogen_gpu_small_workspace;
+  }
+
+  // `which`: the arguments that the kernel takes; the workspace follows the last one.
+  template <std::size_t... which, class Tiled, class Strided>
+  void run(unsigned runs, Tiled* over_tiles, Strided* with_strides) noexcept {
+    if (status_ != robcogen_gpu_success || launch_.n == 0) return;
+    const Argument taken[] = {arguments_[which]...};
+    status_ = start(Launch{launch_.stream, launch_.n, runs}, taken, over_tiles, with_strides);
+  }
+
+  robcogen_gpu_status status() const noexcept { return status_; }
+
+ private:
+  Launch launch_;
+  robcogen_gpu_status status_;
+  Argument arguments_[kCount + 1] = {};
+};
 
 }  // namespace robcogen::gpu

@@ -1,8 +1,8 @@
 // Sines, quotients and roots of the functions for GPUs, without branches: included by dialect.h.
 //
-// Sines are those of the runtime: sine_polynomials.h says how they are computed. Large
-// angles are computed in the same way: the error of sine and cosine is below 1e-7 for angles up to 1e4 rad in float, and below 3e-16 for angles up
-// to 1e5 rad in double; it grows beyond.
+// Sines are those of the runtime: sine_polynomials.h says how they are computed. Large angles are computed in the same
+// way: the error of sine and cosine is below 1e-7 for angles up to 1e4 rad in float, and below 3e-16 for angles up to
+// 1e5 rad in double; it grows beyond.
 #ifndef ROBCOGEN_GPU_SCALAR_H
 #define ROBCOGEN_GPU_SCALAR_H
 
@@ -47,6 +47,19 @@ RC_DEVICE unsigned robcogen_gpu_low_bits(double x) {
 }
 #endif
 
+// `end`: that of the names of functions of these numbers.
+#define RC_SINE_AND_COSINE(number, end)                 \
+  RC_DEVICE number robcogen_gpu_sine##end(number x) {   \
+    number s, c;                                        \
+    robcogen_gpu_sincos##end(x, &s, &c);                \
+    return s;                                           \
+  }                                                     \
+  RC_DEVICE number robcogen_gpu_cosine##end(number x) { \
+    number s, c;                                        \
+    robcogen_gpu_sincos##end(x, &s, &c);                \
+    return c;                                           \
+  }
+
 // Adding 1.5 * 2^23 rounds 2 / pi * x to an integer, whose last bits are those of the sum: the quarter turn.
 RC_DEVICE void robcogen_gpu_sincosf(float x, float* sine, float* cosine) {
   const float rounded = RC_FMAF(x, 0x1.45f306p-1f, 0x1.8p23f), k = rounded - 0x1.8p23f;
@@ -60,17 +73,7 @@ RC_DEVICE void robcogen_gpu_sincosf(float x, float* sine, float* cosine) {
   *cosine = (turns + 1) & 2 ? -b : b;
 }
 
-RC_DEVICE float robcogen_gpu_sinef(float x) {
-  float s, c;
-  robcogen_gpu_sincosf(x, &s, &c);
-  return s;
-}
-
-RC_DEVICE float robcogen_gpu_cosinef(float x) {
-  float s, c;
-  robcogen_gpu_sincosf(x, &s, &c);
-  return c;
-}
+RC_SINE_AND_COSINE(float, f)
 
 RC_DEVICE float robcogen_gpu_square_rootf(float x) {
 #if defined(__CUDA_ARCH__)
@@ -122,17 +125,7 @@ RC_DEVICE void robcogen_gpu_sincos(double x, double* sine, double* cosine) {
   *cosine = (turns + 1) & 2 ? -b : b;
 }
 
-RC_DEVICE double robcogen_gpu_sine(double x) {
-  double s, c;
-  robcogen_gpu_sincos(x, &s, &c);
-  return s;
-}
-
-RC_DEVICE double robcogen_gpu_cosine(double x) {
-  double s, c;
-  robcogen_gpu_sincos(x, &s, &c);
-  return c;
-}
+RC_SINE_AND_COSINE(double, )
 
 RC_DEVICE double robcogen_gpu_square_root(double x) {
   return sqrt(x);
@@ -163,42 +156,29 @@ RC_DEVICE double robcogen_gpu_quotient(double a, double b) {
 #if defined(__cplusplus)
 namespace robcogen::gpu {
 
-RC_DEVICE void sincos(float x, float& s, float& c) {
-  robcogen_gpu_sincosf(x, &s, &c);
-}
-RC_DEVICE void sincos(double x, double& s, double& c) {
-  robcogen_gpu_sincos(x, &s, &c);
-}
-RC_DEVICE float sine(float x) {
-  return robcogen_gpu_sinef(x);
-}
-RC_DEVICE double sine(double x) {
-  return robcogen_gpu_sine(x);
-}
-RC_DEVICE float cosine(float x) {
-  return robcogen_gpu_cosinef(x);
-}
-RC_DEVICE double cosine(double x) {
-  return robcogen_gpu_cosine(x);
-}
-RC_DEVICE float square_root(float x) {
-  return robcogen_gpu_square_rootf(x);
-}
-RC_DEVICE double square_root(double x) {
-  return robcogen_gpu_square_root(x);
-}
-RC_DEVICE float arc_tangent(float y, float x) {
-  return robcogen_gpu_arc_tangentf(y, x);
-}
-RC_DEVICE double arc_tangent(double y, double x) {
-  return robcogen_gpu_arc_tangent(y, x);
-}
-RC_DEVICE float quotient(float a, float b) {
-  return robcogen_gpu_quotientf(a, b);
-}
-RC_DEVICE double quotient(double a, double b) {
-  return robcogen_gpu_quotient(a, b);
-}
+// Overloads in place of the ends of names.
+#define RC_OVERLOADS(number, end)                         \
+  RC_DEVICE void sincos(number x, number& s, number& c) { \
+    robcogen_gpu_sincos##end(x, &s, &c);                  \
+  }                                                       \
+  RC_DEVICE number sine(number x) {                       \
+    return robcogen_gpu_sine##end(x);                     \
+  }                                                       \
+  RC_DEVICE number cosine(number x) {                     \
+    return robcogen_gpu_cosine##end(x);                   \
+  }                                                       \
+  RC_DEVICE number square_root(number x) {                \
+    return robcogen_gpu_square_root##end(x);              \
+  }                                                       \
+  RC_DEVICE number arc_tangent(number y, number x) {      \
+    return robcogen_gpu_arc_tangent##end(y, x);           \
+  }                                                       \
+  RC_DEVICE number quotient(number a, number b) {         \
+    return robcogen_gpu_quotient##end(a, b);              \
+  }
+RC_OVERLOADS(float, f)
+RC_OVERLOADS(double, )
+#undef RC_OVERLOADS
 
 }  // namespace robcogen::gpu
 #endif
