@@ -95,8 +95,8 @@ class LoopReader {
       for (Anchor& end : ends) end.pose.rotation = {};
   }
 
-  // `relpose` is where the anchor, which has the axes of the second body, is in the first body. Without an anchor, this is
-  // the pose of the second body.
+  // `relpose` is where the anchor, which has the axes of the second body, is in the first body. Without an anchor, this
+  // is the pose of the second body.
   std::optional<Pose> relative_pose() {
     const Attribute* given = find(element_, "relpose");
     if (given == nullptr) return std::nullopt;

@@ -141,8 +141,8 @@ class AtLoops {
     }
     joints_ = start ? closed_near(y, *start) : closed(y);
     const Matrix<Real> G = tangent(joints_);
-    constexpr Real kClosed = 1e-15L, kRacing = 4;
-    is_usual_ = largest(loop_rows(robot_, joints_).error) < kClosed && largest(G) < kRacing;
+    constexpr Real kClosed = 1e-15L;
+    is_usual_ = largest(loop_rows(robot_, joints_).error) < kClosed && !is_racing(G);
     couple(y, joints_, G);
     for (int k = 0; k < robot.followers.size; ++k)
       motion.q(robot.position_count() - robot.followers.size + k) =
@@ -232,6 +232,18 @@ class AtLoops {
         G(dependent_[d], c) = std::abs(rate) > kNothing ? -rate : 0;
       }
     return G;
+  }
+
+  // True if followers move much faster than a coordinate; 0.1 m of a slide count as a radian, as in random samples.
+  bool is_racing(const Matrix<Real>& G) const {
+    constexpr Real kRacing = 4, kStroke = 0.1L;
+    const auto slides = [&](int joint) { return !turns(robot_.joints[joint].type); };
+    for (const int joint : dependent_)
+      for (int c = 0; c < robot_.dof(); ++c) {
+        const Real unit = slides(c) && !slides(joint) ? kStroke : Real(1);
+        if (std::abs(G(joint, c)) * unit >= kRacing) return true;
+      }
+    return false;
   }
 
   void couple(const Vector<Real>& y, const Vector<Real>& joints, const Matrix<Real>& G) {
