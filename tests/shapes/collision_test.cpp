@@ -11,7 +11,7 @@
 #include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::test {
+namespace robcogen::test::collision_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -290,4 +290,4 @@ TEST(Collision, FunctionsExistWhereTheyAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::collision_test

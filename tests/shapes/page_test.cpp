@@ -6,7 +6,7 @@
 #include "files.h"
 #include "view/page_shapes.h"
 
-namespace robcogen::test {
+namespace robcogen::test::page_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -80,4 +80,4 @@ TEST(ShapesOnAPage, HaveFewTriangles) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::page_test

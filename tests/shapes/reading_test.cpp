@@ -4,7 +4,7 @@
 
 #include "files.h"
 
-namespace robcogen::test {
+namespace robcogen::test::reading_test {
 namespace {
 
 using model::Shape;
@@ -211,4 +211,4 @@ TEST(Srdf, DisablesPairsByTheNamesOfLinks) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::reading_test

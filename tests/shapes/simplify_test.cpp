@@ -7,7 +7,7 @@
 
 #include "files.h"
 
-namespace robcogen::test {
+namespace robcogen::test::simplify_test {
 namespace {
 
 using model::TriangleMesh;
@@ -75,4 +75,4 @@ TEST(Simplify, LeavesATriangleOfAnyMesh) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::simplify_test

@@ -6,7 +6,7 @@
 #include "programs.h"
 #include "support/index.h"
 
-namespace robcogen::symbolic {
+namespace robcogen::symbolic::cut_program_test {
 namespace {
 
 constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
@@ -158,4 +158,4 @@ TEST(CutProgram, SolvesForColumnsTogether) {
 }
 
 }  // namespace
-}  // namespace robcogen::symbolic
+}  // namespace robcogen::symbolic::cut_program_test
