@@ -80,7 +80,10 @@ class KinematicsInterface : public kinematics_interface::KinematicsInterface {
       JacobianInverse& jacobian_inverse) {
     const int link = check(joint_pos, link_name);
     if (link < 0 || !has_columns("jacobian_inverse", jacobian_inverse.rows())) return false;
-    return invert(joint_pos, link, [&](const auto& solve) { jacobian_inverse.noalias() = solve(); });
+    Inverse inverse;
+    if (!invert(joint_pos, link, inverse)) return false;
+    jacobian_inverse = inverse;
+    return true;
   }
 
   virtual bool convert_joint_deltas_to_cartesian_deltas(
@@ -102,7 +105,10 @@ class KinematicsInterface : public kinematics_interface::KinematicsInterface {
       Eigen::VectorXd& delta_theta) {
     const int link = check(joint_pos, link_name);
     if (link < 0 || !has_elements("delta_theta", delta_theta.size())) return false;
-    return invert(joint_pos, link, [&](const auto& solve) { delta_theta.noalias() = solve() * delta_x; });
+    Inverse inverse;
+    if (!invert(joint_pos, link, inverse)) return false;
+    delta_theta.noalias() = inverse * delta_x;
+    return true;
   }
 
   // Twist that leads from frame a to frame b in the time dt, in the axes in which both are given. It does not depend on
@@ -118,6 +124,7 @@ class KinematicsInterface : public kinematics_interface::KinematicsInterface {
 
  private:
   using SmallJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, R::kDof>;
+  using Inverse = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::ColMajor, R::kDof, 6>;
 
   const reflection::Robot& tables_;
   R robot_;
@@ -172,12 +179,10 @@ class KinematicsInterface : public kinematics_interface::KinematicsInterface {
     return J;
   }
 
-  // Passes the damped inverse (J^T J + alpha 1)^-1 J^T to `use`: of both equal forms, the one with the smaller matrix.
-  template <class Use>
-  bool invert(const Eigen::VectorXd& joint_pos, int link, const Use& use) const {
+  // Sets `inverse` to (J^T J + alpha 1)^-1 J^T: of both equal forms, the one with the smaller matrix.
+  bool invert(const Eigen::VectorXd& joint_pos, int link, Inverse& inverse) const {
     constexpr int kMost = std::min(6, R::kDof);
     using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
-    using Inverse = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::ColMajor, R::kDof, 6>;
     const SmallJacobian J = jacobian_of(joint_pos, link);
     const bool is_slim = chain_.size() < 6;
     Small A(is_slim ? chain_.size() : 6, is_slim ? chain_.size() : 6);
@@ -193,9 +198,9 @@ class KinematicsInterface : public kinematics_interface::KinematicsInterface {
     if (factor.info() != Eigen::Success || !(pivots.minCoeff() > kLeastPivot * pivots.maxCoeff()))
       return refuse("the Jacobian has no inverse here: set parameter 'alpha' to a positive number");
     if (is_slim)
-      use([&] { return Inverse(factor.solve(J.transpose())); });
+      inverse = factor.solve(J.transpose());
     else
-      use([&] { return Inverse(factor.solve(J).transpose()); });
+      inverse = factor.solve(J).transpose();
     return true;
   }
 };
