@@ -1,12 +1,9 @@
 #include "import/mjcf/check.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "import/mjcf/defaults.h"
 #include "import/mjcf/elements.h"
 #include "import/xml/findings.h"
+#include "support/words.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -20,13 +17,14 @@ class NameChecker {
     const KnownElement* known = known_element(kind);
     if (known == nullptr) return;
     for (const Attribute& a : element.attributes)
-      if (!known->has(a.name)) add(kind, a, *known);
+      if (!known->has_attribute(a.name))
+        findings_.add(kind + " " + a.name, xml::unknown_attribute(a, kind.substr(kind.rfind('/') + 1), *known));
     const bool is_tree = kind == "worldbody" || kind == "body" || kind == "frame" || kind == "replicate";
     for (const Element& child : element.children) {
-      const bool is_known =
-          std::find(known->children.begin(), known->children.end(), child.name) != known->children.end();
+      const bool is_known = is_among(known->children, child.name);
       // The reader of the tree of bodies reports unknown elements in it.
-      if (!is_known && !is_tree && kind != "geom") add(kind, child, *known);
+      if (!is_known && !is_tree && kind != "geom" && child.name != "include")
+        findings_.add(kind + "/" + child.name, xml::unknown_element(child, element.name, *known));
       if (is_known || is_tree) check(child, section.empty() ? child.name : section);
     }
   }
@@ -48,23 +46,6 @@ class NameChecker {
     // These generate bodies, and have attributes of their own.
     if (name == "composite" || name == "flexcomp") return "";
     return name;
-  }
-
-  void add(const std::string& kind, const Attribute& attribute, const KnownElement& known) {
-    std::vector<std::string> names = known.read;
-    names.insert(names.end(), known.without_effect.begin(), known.without_effect.end());
-    const std::string owner = kind.substr(kind.rfind('/') + 1);
-    findings_.add(
-        kind + " " + attribute.name,
-        {"unknown-attribute", fmt::format("attribute '{}' of this '{}' is unknown and ignored", attribute.name, owner),
-         did_you_mean(attribute.name, names), attribute.name_place});
-  }
-
-  void add(const std::string& kind, const Element& child, const KnownElement& known) {
-    if (child.name == "include") return;
-    findings_.add(
-        kind + "/" + child.name, {"unknown-element", fmt::format("element '{}' is unknown and ignored", child.name),
-                                  did_you_mean(child.name, known.children), child.place});
   }
 };
 

@@ -1,7 +1,5 @@
 #include "import/mjcf/elements.h"
 
-#include <map>
-
 #include "support/words.h"
 
 namespace robcogen::import::from_mjcf {
@@ -80,26 +78,21 @@ constexpr Row kRows[] = {
     {"deformable", "", "", "flex skin"},
 };
 
-std::map<std::string, KnownElement> table() {
-  std::map<std::string, KnownElement> result;
+xml::KnownElements table() {
+  xml::KnownElements result;
   for (const Row& row : kRows) {
     std::string read = row.read;
     if (read.ends_with('+')) read = read.substr(0, read.size() - 1) + kTurn;
-    result[row.kind] = {words(read), words(row.without_effect), words(row.children)};
+    result[row.kind] = {words(read), words(row.without_effect), words(row.children), {}};
   }
   return result;
 }
 
 }  // namespace
 
-bool KnownElement::has(const std::string& attribute) const {
-  return is_among(read, attribute) || is_among(without_effect, attribute);
-}
-
 const KnownElement* known_element(const std::string& kind) {
-  static const std::map<std::string, KnownElement> known = table();
-  const auto found = known.find(kind);
-  return found == known.end() ? nullptr : &found->second;
+  static const xml::KnownElements known = table();
+  return xml::find(known, kind);
 }
 
 }  // namespace robcogen::import::from_mjcf

@@ -2,17 +2,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "import/xml/known_element.h"
 
 namespace robcogen::import::from_mjcf {
 
-struct KnownElement {
-  std::vector<std::string> read;  // attributes that this generator reads, or reports where they have an effect
-  std::vector<std::string> without_effect;  // attributes that change neither kinematics nor dynamics
-  std::vector<std::string> children;        // elements in it
-
-  bool has(const std::string& attribute) const;
-};
+using xml::KnownElement;
 
 // `kind` is the name of an element or, where its attributes depend on where it is, a path: `default/equality`,
 // `equality/joint`, `actuator` for all actuators, `tendon` for all tendons. Returns nullptr for elements that have no

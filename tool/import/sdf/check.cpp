@@ -51,8 +51,8 @@ class NameChecker {
       if (child.name == "plugin") check_plugin(child);
       if (is_among(known->children, child.name))
         check(child, element.name);
-      else if (!is_among(known->without_effect, child.name) && !is_custom(child.name))
-        add_unknown(element, child, *known);
+      else if (!is_among(known->children_without_effect, child.name) && !is_custom(child.name))
+        findings_.add(element.name + "/" + child.name, xml::unknown_element(child, element.name, *known));
     }
   }
 
@@ -60,11 +60,8 @@ class NameChecker {
 
  private:
   void check_attribute(const Element& element, const Attribute& a, const KnownElement& known) {
-    if (is_among(known.attributes, a.name) || a.name.starts_with("xmlns") || is_custom(a.name)) return;
-    findings_.add(
-        element.name + " " + a.name,
-        {"unknown-attribute", fmt::format("attribute '{}' of this '{}' is unknown and ignored", a.name, element.name),
-         did_you_mean(a.name, known.attributes), a.name_place});
+    if (known.has_attribute(a.name) || a.name.starts_with("xmlns") || is_custom(a.name)) return;
+    findings_.add(element.name + " " + a.name, xml::unknown_attribute(a, element.name, known));
   }
 
   void check_link(const Element& child) {
@@ -94,16 +91,6 @@ class NameChecker {
                               "forces that it adds are not part of the dynamics", plugin.place});
   }
 
-  void add_unknown(const Element& element, const Element& child, const KnownElement& known) {
-    std::vector<std::string> names = known.children;
-    names.insert(names.end(), known.without_effect.begin(), known.without_effect.end());
-    findings_.add(
-        element.name + "/" + child.name,
-        {"unknown-element",
-         fmt::format("element '{}' of this '{}' is unknown and ignored", child.name, element.name),
-         did_you_mean(child.name, names), child.place});
-  }
-
   xml::Findings findings_;
 };
 
@@ -119,7 +106,7 @@ void count_ignored(const Element& element, std::map<std::string, int>& ignored) 
   const KnownElement* known = known_element(element.name);
   if (known == nullptr) return;
   for (const Element& child : element.children)
-    if (is_among(known->without_effect, child.name) || is_custom(child.name)) ++ignored[child.name];
+    if (is_among(known->children_without_effect, child.name) || is_custom(child.name)) ++ignored[child.name];
 }
 
 }  // namespace robcogen::import::from_sdf

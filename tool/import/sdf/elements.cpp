@@ -1,7 +1,7 @@
 #include "import/sdf/elements.h"
 
 #include <algorithm>
-#include <map>
+#include <vector>
 
 #include "support/words.h"
 
@@ -54,10 +54,10 @@ constexpr const char* kPluginsWithoutEffect =
     "navsat odometry p3d pose projector publish range ray rgbd ros scene sensor servo skid sonar state thermal touch "
     "trajectory tricycle usercommands vacuum velocity video wheel";
 
-std::map<std::string, KnownElement> table() {
-  std::map<std::string, KnownElement> result;
+xml::KnownElements table() {
+  xml::KnownElements result;
   for (const Row& row : kRows)
-    result[row.kind] = {words(row.attributes), words(row.children), words(row.without_effect)};
+    result[row.kind] = {words(row.attributes), {}, words(row.children), words(row.without_effect)};
   result["axis2"] = result["axis"];
   return result;
 }
@@ -70,9 +70,8 @@ bool contains_any(const std::string& text, const std::vector<std::string>& parts
 }  // namespace
 
 const KnownElement* known_element(const std::string& kind) {
-  static const std::map<std::string, KnownElement> known = table();
-  const auto found = known.find(kind);
-  return found == known.end() ? nullptr : &found->second;
+  static const xml::KnownElements known = table();
+  return xml::find(known, kind);
 }
 
 PluginEffect effect_of_plugin(const std::string& file, const std::string& name) {

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "import/xml/known_element.h"
 
 namespace robcogen::import::from_sdf {
 
-struct KnownElement {
-  std::vector<std::string> attributes;
-  std::vector<std::string> children;        // that this generator reads
-  std::vector<std::string> without_effect;  // children that change neither kinematics nor dynamics
-};
+using xml::KnownElement;
 
 // `kind` is the name of an element or, where its content depends on where it is, a path: `inertial/pose`. Returns
 // nullptr for elements that are not read.
