@@ -33,7 +33,8 @@ bool is_nonzero(const Element& element) {
 
 // What a simulator does with an element of a link, which this generator does not; empty for other elements.
 std::string meaning_of(const Element& element) {
-  if (element.name == "gravity" && is_word(element, {"false", "False", "FALSE", "0"})) return "gravity acts on this link";
+  if (element.name == "gravity" && is_word(element, {"false", "False", "FALSE", "0"}))
+    return "gravity acts on this link";
   if (element.name == "kinematic" && is_word(element, {"true", "True", "TRUE", "1"})) return "forces move this link";
   if (element.name == "velocity_decay" && std::any_of(element.children.begin(), element.children.end(), is_nonzero))
     return "its forces are not part of the dynamics";

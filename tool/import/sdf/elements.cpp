@@ -50,7 +50,8 @@ constexpr const char* kPluginsWithForces =
 // Those of Gazebo and of ROS that control, sense and show.
 constexpr const char* kPluginsWithoutEffect =
     "ackermann altimeter battery bumper camera contact control detachable diffdrive differential drive dvl effort "
-    "forcetorque ft gimbal gps gripper ground imu joint jointstate label laser lidar logical mavlink magnetometer motor "
+    "forcetorque ft gimbal gps gripper ground imu joint jointstate label laser lidar logical mavlink magnetometer "
+    "motor "
     "navsat odometry p3d pose projector publish range ray rgbd ros scene sensor servo skid sonar state thermal touch "
     "trajectory tricycle usercommands vacuum velocity video wheel";
 

@@ -13,8 +13,8 @@ using xml::KnownElement;
 // nullptr for elements that are not read.
 const KnownElement* known_element(const std::string& kind);
 
-// What a plugin does to the dynamics of a model, by its file and name. `forces`: it adds forces that depend on the state
-// of the robot.
+// What a plugin does to the dynamics of a model, by its file and name. `forces`: it adds forces that depend on the
+// state of the robot.
 enum class PluginEffect { none, forces, unknown };
 PluginEffect effect_of_plugin(const std::string& file, const std::string& name);
 

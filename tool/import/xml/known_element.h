@@ -19,7 +19,8 @@ struct KnownElement {
   bool has_attribute(const std::string& name) const;
 };
 
-// By kind, which is the name of an element or, where its content depends on where it is, a path such as `inertial/pose`.
+// By kind, which is the name of an element or, where its content depends on where it is, a path such as
+// `inertial/pose`.
 using KnownElements = std::map<std::string, KnownElement>;
 
 // Returns nullptr for a kind that is not known.
