@@ -4,19 +4,17 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <set>
 
-#include "export/kinematics.h"
 #include "import/identifier.h"
-#include "import/kinematics.h"
-#include "import/mjcf.h"
 #include "interpreted_robot.h"
 #include "judge.h"
+#include "mjcf_files.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -32,34 +30,6 @@ constexpr double kAgreement = 1e-7;
 // In metres and radians, and in metres per second.
 constexpr double kClosed = 1e-9;
 constexpr int kStates = 8;
-
-struct Deleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-std::shared_ptr<Source> source_of(const path& file) {
-  std::ifstream text(file, std::ios::binary);
-  return std::make_shared<Source>(file.filename().string(), std::string(std::istreambuf_iterator<char>(text), {}));
-}
-
-model::KinematicTree imported(const path& file) {
-  Diagnostics diagnostics;
-  auto robot = import::mjcf(source_of(file), file, {}, diagnostics);
-  if (!robot) throw std::runtime_error(diagnostics.render());
-  return std::move(robot->tree);
-}
-
-// Returns the tree of the robot document that `convert` writes.
-model::KinematicTree converted(const model::KinematicTree& tree) {
-  Diagnostics diagnostics;
-  const std::string text =
-      language::kinematics::print(exporting::numbered_parents_first(tree, exporting::kinematics_document(tree)));
-  const auto document = language::kinematics::parse(std::make_shared<Source>("converted", text), diagnostics);
-  auto robot = import::kinematic_tree(document, diagnostics);
-  if (!robot) throw std::runtime_error(diagnostics.render());
-  return *std::move(robot);
-}
 
 Matrix3d rotation(const double (&angles)[3]) {
   return (Eigen::AngleAxisd(angles[0], Vector3d::UnitX()) * Eigen::AngleAxisd(angles[1], Vector3d::UnitY()) *
@@ -126,7 +96,7 @@ class Comparison {
   numeric::InterpretedRobot robot_;
   reflection::Robot tables_;
   mjModel& model_;
-  std::unique_ptr<mjData, Deleter> data_;
+  DataPointer data_;
   int base_;
   std::vector<std::pair<int, int>> scalars_;
   std::vector<Ball> balls_;
@@ -192,6 +162,14 @@ class Comparison {
     return result;
   }
 
+  // True for a rotation of a weld whose Jacobian is scaled by zero. MuJoCo before 3.0.1 does not scale its residual.
+  bool has_no_torque(int row) const {
+    const int id = data_->efc_id[row];
+    if (model_.eq_type[id] != mjEQ_WELD || model_.eq_data[mjNEQDATA * id + 10] != 0) return false;
+    const double* J = data_->efc_J + row * model_.nv;
+    return std::all_of(J, J + model_.nv, [](double element) { return element == 0; });
+  }
+
   void compare(
       const reference::Motion<double>& motion,
       const reference::Robot& linearised,
@@ -215,7 +193,8 @@ class Comparison {
       }
 
     const auto [T, K] = at(state);
-    for (int row = 0; row < data_->nefc; ++row) EXPECT_NEAR(data_->efc_pos[row], 0.0, kClosed) << "row " << row;
+    for (int row = 0; row < data_->nefc; ++row)
+      EXPECT_NEAR(has_no_torque(row) ? 0.0 : data_->efc_pos[row], 0.0, kClosed) << "row " << row;
     EXPECT_LT((K * rates).cwiseAbs().maxCoeff(), kClosed * std::max(1.0, rates.norm()));
 
     // r = G y with the coordinates y, of which the base is a part; the other joints follow.
@@ -258,10 +237,7 @@ class MjcfLoopsTest : public testing::Test {
   explicit MjcfLoopsTest(path file) : file_(std::move(file)) {}
 
   void TestBody() override {
-    mju_user_warning = [](const char*) {};
-    char error[1000] = "";
-    const std::unique_ptr<mjModel, Deleter> model(mj_loadXML(file_.c_str(), nullptr, error, sizeof error));
-    ASSERT_TRUE(model) << error;
+    const ModelPointer model = loaded(file_);
     model->opt.disableflags |= mjDSBL_LIMIT | mjDSBL_CONTACT | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION | mjDSBL_PASSIVE;
     model->opt.jacobian = mjJAC_DENSE;
     const model::KinematicTree tree = imported(file_);
@@ -278,17 +254,5 @@ class MjcfLoopsTest : public testing::Test {
 
 int main(int argc, char** argv) {
   using namespace robcogen::oracles;
-  testing::InitGoogleTest(&argc, argv);
-  std::set<path> files(argv + 1, argv + argc);
-  // A minute for each document of the folder `slow`.
-  std::vector<path> folders = {path(TEST_SOURCE_DIR) / "mjcf_loops"};
-  if (ROBCOGEN_TEST_EVERYTHING) folders.push_back(folders.front() / "slow");
-  for (const path& folder : folders)
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".xml") files.insert(entry.path());
-  for (const path& file : files)
-    testing::RegisterTest(
-        "mjcf_loops", file.stem().c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [=]() -> testing::Test* { return new MjcfLoopsTest(file); });
-  return RUN_ALL_TESTS();
+  return run_tests_of_files(argc, argv, "mjcf_loops", [](const auto& file) { return new MjcfLoopsTest(file); });
 }

@@ -7,16 +7,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <set>
 
-#include "export/kinematics.h"
-#include "import/kinematics.h"
-#include "import/mjcf.h"
 #include "interpreted_robot.h"
 #include "judge.h"
+#include "mjcf_files.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -37,13 +32,6 @@ constexpr double kVertices = 1e-6;
 constexpr int kStates = 50;
 constexpr std::uint64_t kSeed = 17;
 
-struct Deleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-void ignore(const char*) {}
-
 // Whether the constraint is active in the file.
 bool is_active(const mjModel& model, int constraint) {
 #if mjVERSION_HEADER >= 300
@@ -51,33 +39,6 @@ bool is_active(const mjModel& model, int constraint) {
 #else
   return model.eq_active[constraint] != 0;
 #endif
-}
-
-std::string contents(const path& file) {
-  std::ifstream text(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(text), {}};
-}
-
-KinematicTree imported(const path& file) {
-  Diagnostics diagnostics;
-  const auto source = std::make_shared<Source>(file.filename().string(), contents(file));
-  const auto robot = import::mjcf(source, file, {}, diagnostics);
-  if (!robot) throw std::runtime_error(diagnostics.render());
-  return robot->tree;
-}
-
-// Returns the tree of the robot document that `convert` writes.
-KinematicTree converted(const KinematicTree& tree) {
-  Diagnostics diagnostics;
-  const std::string text =
-      language::kinematics::print(exporting::numbered_parents_first(tree, exporting::kinematics_document(tree)));
-  const auto document = language::kinematics::parse(std::make_shared<Source>("converted", text), diagnostics);
-  auto robot = import::kinematic_tree(document, diagnostics);
-  if (!robot) throw std::runtime_error(diagnostics.render());
-  EXPECT_EQ(robot->dof(), tree.dof());
-  for (std::size_t j = 0; j < tree.joints.size(); ++j)
-    EXPECT_EQ(robot->joints[j].limits, tree.joints[j].limits) << tree.joints[j].name;
-  return *std::move(robot);
 }
 
 // Transforms from the base to every user frame.
@@ -94,10 +55,7 @@ class MjcfTest : public testing::Test {
   explicit MjcfTest(path file) : file_(std::move(file)) {}
 
   void TestBody() override {
-    mju_user_warning = ignore;
-    char error[1000] = "";
-    model_.reset(mj_loadXML(file_.c_str(), nullptr, error, sizeof error));
-    ASSERT_TRUE(model_) << error;
+    model_ = loaded(file_);
     model_->opt.disableflags |= mjDSBL_CONSTRAINT | mjDSBL_ACTUATION;
     data_.reset(mj_makeData(model_.get()));
     const KinematicTree tree = imported(file_);
@@ -276,8 +234,8 @@ class MjcfTest : public testing::Test {
   bool floating_ = false;
   MatrixXd G_;
   VectorXd offsets_;
-  std::unique_ptr<mjModel, Deleter> model_;
-  std::unique_ptr<mjData, Deleter> data_;
+  ModelPointer model_;
+  DataPointer data_;
 };
 
 }  // namespace
@@ -285,13 +243,5 @@ class MjcfTest : public testing::Test {
 
 int main(int argc, char** argv) {
   using namespace robcogen::oracles;
-  testing::InitGoogleTest(&argc, argv);
-  std::set<path> files(argv + 1, argv + argc);
-  for (const auto& entry : std::filesystem::directory_iterator(path(TEST_SOURCE_DIR) / "mjcf"))
-    if (entry.path().extension() == ".xml") files.insert(entry.path());
-  for (const path& file : files)
-    testing::RegisterTest("mjcf", file.stem().c_str(), nullptr, nullptr, __FILE__, __LINE__, [=]() -> testing::Test* {
-      return new MjcfTest(file);
-    });
-  return RUN_ALL_TESTS();
+  return run_tests_of_files(argc, argv, "mjcf", [](const auto& file) { return new MjcfTest(file); });
 }
