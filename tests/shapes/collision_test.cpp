@@ -105,6 +105,20 @@ const std::array<std::string, 5> kShapes = {
     placed("<cylinder radius='0.08' length='0.6'/>", "0 0.1 0.3", "0.5 0 0"),
     placed("<sphere radius='0.125'/>", "0 0 0.1")};
 
+Point along(const Point& p, double length, const Point& axis) {
+  return {p[0] + length * axis[0], p[1] + length * axis[1], p[2] + length * axis[2]};
+}
+
+// The ends of their axes, in the frames of the URDF: Rz(0.4) Ry(1.2) and Rx(0.5) turn two of them.
+const Point kTilted = {std::cos(0.4) * std::sin(1.2), std::sin(0.4) * std::sin(1.2), std::cos(1.2)};
+const Point kTurned = {0, -std::sin(0.5), std::cos(0.5)};
+const std::array<std::array<Point, 2>, 5> kEnds = {{
+    {along({0.3, 0, 0}, -0.4, kTilted), along({0.3, 0, 0}, 0.4, kTilted)},
+    {{{0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}}},
+    {{{0, 0, 0}, {0, 0, 0.4}}},
+    {along({0, 0.1, 0.3}, -0.3, kTurned), along({0, 0.1, 0.3}, 0.3, kTurned)},
+    {{{0, 0, 0.1}, {0, 0, 0.1}}}}};
+
 std::vector<Numbers> states(std::size_t count) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> uniform(-2, 2);
@@ -150,7 +164,7 @@ TEST(Collision, DistanceIsThatOfTheNearestPair) {
     for (const auto& [i, k] : pairs) {
       std::array<std::array<Point, 2>, 2> segments;
       for (const auto& [side, index] : {std::pair<std::size_t, std::size_t>{0, i}, {1, k}})
-        for (std::size_t e = 0; e < 2; ++e) segments[side][e] = in_base(index, q, robot.capsules[index].ends[e]);
+        for (std::size_t e = 0; e < 2; ++e) segments[side][e] = in_base(index, q, kEnds[index][e]);
       expected = std::min(
           expected,
           distance_of_segments(segments[0], segments[1]) - robot.capsules[i].radius - robot.capsules[k].radius);
