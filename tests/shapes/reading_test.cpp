@@ -58,9 +58,9 @@ TEST(Shapes, AreReadInTheFrameOfTheirLink) {
   expect(3, Shape::Kind::cylinder, Shape::Use::collision, {0.5, 4, 0}, "lower");
   // The box: 0.5 m along the x axis of `lower`, which is the y axis of `upper`.
   const auto& t = read.shapes()[1].placement.translation;
-  EXPECT_EQ(number(t[0]), 0.25);
-  EXPECT_EQ(number(t[1]), 0.5);
-  EXPECT_EQ(number(t[2]), 0.125);
+  EXPECT_DOUBLE_EQ(number(t[0]), 0.25);
+  EXPECT_DOUBLE_EQ(number(t[1]), 0.5);
+  EXPECT_DOUBLE_EQ(number(t[2]), 0.125);
   EXPECT_DOUBLE_EQ(number(read.shapes()[1].placement.rotation[2]), 1.5707963267948966);
 }
 
