@@ -220,8 +220,8 @@ TEST(Names, MjcfTableHasEveryAttribute) {
   for (const auto& [element, attributes] : known_in("mjcf_names.txt")) {
     const auto* known = import::from_mjcf::known_element(element);
     ASSERT_NE(known, nullptr) << element;
-    std::set<std::string> all(known->read.begin(), known->read.end());
-    all.insert(known->without_effect.begin(), known->without_effect.end());
+    std::set<std::string> all(known->attributes.begin(), known->attributes.end());
+    all.insert(known->attributes_without_effect.begin(), known->attributes_without_effect.end());
     EXPECT_EQ(attributes, all) << element;
   }
 }
