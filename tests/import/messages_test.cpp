@@ -45,7 +45,7 @@ TEST(Messages, OfEveryCodeHaveADocument) {
       codes.merge(test::matches(text, reported));
     }
   }
-  codes.erase("duplicate-name");    // only the readers of MJCF and SDF report these two
+  codes.erase("duplicate-name");  // only the readers of MJCF and SDF report these two
   codes.erase("unknown-word");
   codes.erase("urdf-unavailable");  // only from a generator without urdfdom
   codes.erase("urdfdom");           // only if urdfdom refuses what this reader accepts: see the next test

@@ -18,7 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-model::KinematicTree tree_of(const std::string& text, const import::SdfOptions& options = {}, const fs::path& file = "robot.sdf") {
+model::KinematicTree tree_of(
+    const std::string& text,
+    const import::SdfOptions& options = {},
+    const fs::path& file = "robot.sdf") {
   Diagnostics diagnostics;
   const auto robot = import::sdf(std::make_shared<Source>("robot.sdf", text), file, options, diagnostics);
   EXPECT_TRUE(robot) << diagnostics.render() << text;
@@ -157,10 +160,10 @@ TEST(Sdf, JointsTurnAboutTheirOwnOrigin) {
 // x of the link is y of the model.
 TEST(Sdf, AxesAreExpressedInTheFrameThatTheVersionMeans) {
   const auto axis_of = [](const std::string& version, const std::string& axis) {
-    const model::KinematicTree tree = tree_of(sdf(
-        link("base") + link("upper", "<pose>0 0 0 0 0 1.5</pose>") + kToWorld +
-            joint("j", "revolute", "base", "upper", "<axis>" + axis + "</axis>"),
-        version));
+    const model::KinematicTree tree = tree_of(
+        sdf(link("base") + link("upper", "<pose>0 0 0 0 0 1.5</pose>") + kToWorld +
+                joint("j", "revolute", "base", "upper", "<axis>" + axis + "</axis>"),
+            version));
     const auto R = model::rotation_matrix(tree.joints[0].placement);
     return std::array<double, 2>{model::evaluate(R[0][2]), model::evaluate(R[1][2])};
   };
@@ -205,7 +208,8 @@ TEST(Sdf, HasBallUniversalAndScrewJoints) {
   EXPECT_EQ(tree.joints[3].name, "cross_axis");
   EXPECT_EQ(tree.joints[4].name, "cross_axis2");
   // The first axis is that of the frame of the joint, and the second one is a quarter turn from it.
-  const auto first = model::rotation_matrix(tree.joints[3].placement), second = model::rotation_matrix(tree.joints[4].placement);
+  const auto first = model::rotation_matrix(tree.joints[3].placement),
+             second = model::rotation_matrix(tree.joints[4].placement);
   EXPECT_DOUBLE_EQ(model::evaluate(first[0][2]), std::cos(0.5));
   EXPECT_DOUBLE_EQ(model::evaluate(first[1][2]), std::sin(0.5));
   EXPECT_EQ(model::evaluate(second[2][2]), 0);
@@ -255,8 +259,8 @@ TEST(Sdf, ModelsMayBeNestedAndIncluded) {
       << "<model><sdf version='1.5'>old.sdf</sdf><sdf version='1.9'>hand.sdf</sdf></model>";
   std::ofstream(folder / "hand" / "hand.sdf") << "<sdf version='1.9'><model name='hand'>" << kHand << "</model></sdf>";
   const auto arm = [&](const std::string& hand, const std::string& palm) {
-    return robot_document(
-        tree_of(sdf(link("base") + hand + kToWorld + joint("wrist", "revolute", "base", palm)), {}, folder / "arm.sdf"));
+    return robot_document(tree_of(
+        sdf(link("base") + hand + kToWorld + joint("wrist", "revolute", "base", palm)), {}, folder / "arm.sdf"));
   };
   const std::string pose = "<pose>0.5 0 0 0 0 0</pose>";
   const std::string nested = arm("<model name='hand'>" + pose + kHand + "</model>", "hand::palm");
@@ -281,8 +285,9 @@ TEST(Sdf, WorldsHaveTheirRobotAmongStaticModels) {
   const auto world = [](const std::string& content) {
     return robot_document(tree_of("<sdf version='1.9'><world name='w'>" + content + "</world></sdf>"));
   };
-  const std::string expected = robot_document(tree_of(sdf(
-      link("base") + link("upper") + joint("j", "revolute", "base", "upper") + joint("fix", "fixed", "world", "base"))));
+  const std::string expected = robot_document(tree_of(
+      sdf(link("base") + link("upper") + joint("j", "revolute", "base", "upper") +
+          joint("fix", "fixed", "world", "base"))));
   EXPECT_EQ(world(ground + robot + "</model>" + to_world), expected);
   EXPECT_EQ(world(robot + joint("fix", "fixed", "world", "base") + "</model>" + ground), expected);
 }

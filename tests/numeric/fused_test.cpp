@@ -139,8 +139,7 @@ TEST(FusedRobots, HaveTheResultsOfTheirParts) {
     algorithm::FormulationChoices plain(*tree, algorithm::plain_formulation());
     algorithm::FormulationChoices choices(*tree, {});
     const std::vector<std::vector<algorithm::Declared>> fused = algorithm::fused_functions(*tree, desired);
-    for (const algorithm::Declared& function : fused.front())
-      compared += compare(function, choices, plain, dice);
+    for (const algorithm::Declared& function : fused.front()) compared += compare(function, choices, plain, dice);
   }
   EXPECT_GT(compared, 4 * kRobots);
 }

@@ -313,11 +313,9 @@ constexpr const char* kRobotsWithLanes[] = {
     "humanoid",
 #endif
 };
-INSTANTIATE_TEST_SUITE_P(
-    Lanes,
-    Robots,
-    testing::ValuesIn(kRobotsWithLanes),
-    [](const auto& robot) { return std::string(robot.param); });
+INSTANTIATE_TEST_SUITE_P(Lanes, Robots, testing::ValuesIn(kRobotsWithLanes), [](const auto& robot) {
+  return std::string(robot.param);
+});
 
 TEST(Lanes, OfRandomRobotsComputeTheSame) {
   Tally tally;

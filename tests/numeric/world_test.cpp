@@ -2,7 +2,6 @@
 // kinematics of the reference in long double, rotated by the pose.
 #include <gtest/gtest.h>
 
-
 #include "coupled_robot.h"
 #include "import/kinematics.h"
 #include "interpreted_robot.h"

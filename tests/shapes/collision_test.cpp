@@ -112,12 +112,12 @@ Point along(const Point& p, double length, const Point& axis) {
 // The ends of their axes, in the frames of the URDF: Rz(0.4) Ry(1.2) and Rx(0.5) turn two of them.
 const Point kTilted = {std::cos(0.4) * std::sin(1.2), std::sin(0.4) * std::sin(1.2), std::cos(1.2)};
 const Point kTurned = {0, -std::sin(0.5), std::cos(0.5)};
-const std::array<std::array<Point, 2>, 5> kEnds = {{
-    {along({0.3, 0, 0}, -0.4, kTilted), along({0.3, 0, 0}, 0.4, kTilted)},
-    {{{0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}}},
-    {{{0, 0, 0}, {0, 0, 0.4}}},
-    {along({0, 0.1, 0.3}, -0.3, kTurned), along({0, 0.1, 0.3}, 0.3, kTurned)},
-    {{{0, 0, 0.1}, {0, 0, 0.1}}}}};
+const std::array<std::array<Point, 2>, 5> kEnds = {
+    {{along({0.3, 0, 0}, -0.4, kTilted), along({0.3, 0, 0}, 0.4, kTilted)},
+     {{{0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}}},
+     {{{0, 0, 0}, {0, 0, 0.4}}},
+     {along({0, 0.1, 0.3}, -0.3, kTurned), along({0, 0.1, 0.3}, 0.3, kTurned)},
+     {{{0, 0, 0.1}, {0, 0, 0.1}}}}};
 
 std::vector<Numbers> states(std::size_t count) {
   std::mt19937 random(17);
@@ -250,8 +250,8 @@ TEST(Collision, CapsulesContainBoxesAndMeshes) {
   const Robot robot = robot_of(
       folder,
       chain(
-          {placed("<box size='0.2 0.3 1'/>", "0 0 0"), placed("<mesh filename='t.obj' scale='1 2 0.5'/>", "0 0 0"),
-           "", placed("<box size='1 1 1'/>", "0 0 0"), placed("<mesh filename='flat.obj'/>", "0 0 0")}));
+          {placed("<box size='0.2 0.3 1'/>", "0 0 0"), placed("<mesh filename='t.obj' scale='1 2 0.5'/>", "0 0 0"), "",
+           placed("<box size='1 1 1'/>", "0 0 0"), placed("<mesh filename='flat.obj'/>", "0 0 0")}));
   const std::vector<std::vector<Point>> points = {
       {{0.1, 0.15, 0.5}, {-0.1, 0.15, -0.5}, {0.1, -0.15, 0.5}},
       {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 0.5}},

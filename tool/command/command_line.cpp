@@ -135,7 +135,8 @@ void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::p
   subcommand
       .add_option(
           "-I,--import-folder", folders,
-          "Folder to search for imported documents, after the folder of the importing document, and for models that an SDF "
+          "Folder to search for imported documents, after the folder of the importing document, and for models that an "
+          "SDF "
           "includes")
       ->allow_extra_args(false);
 }
@@ -144,7 +145,8 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
   import::UrdfOptions& options = format.urdf;
   subcommand.add_flag("--floating-base", options.floating_base, "URDF: the root link floats");
   subcommand.add_flag(
-      "--snap-angles", options.snap_angles, "URDF, SDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
+      "--snap-angles", options.snap_angles,
+      "URDF, SDF: angles within 1e-6 of a multiple of PI/12 become that multiple");
   subcommand.add_flag(
       "--free-mimic-joints", options.free_mimic_joints,
       "URDF, MJCF, SDF: coupled joints are read as independent joints; loops of MJCF are left open");
@@ -159,8 +161,8 @@ void declare_format_options(CLI::App& subcommand, FormatOptions& format) {
       ->type_name("VELOCITY");
   subcommand.add_flag(
       "--allow-implausible", options.allow_implausible, "URDF: negative masses and inertias are warnings, not errors");
-  subcommand.add_option("--robot", format.robot,
-      "The robot, if the file has several. MJCF: its first body; SDF: its model");
+  subcommand.add_option(
+      "--robot", format.robot, "The robot, if the file has several. MJCF: its first body; SDF: its model");
   subcommand
       .add_option(
           "--lock", format.changes.locks,

@@ -24,10 +24,7 @@ std::optional<TriangleMesh> read_msh(std::string_view content, std::string& faul
 
 // Reads all meshes of a file by assimp, in axes of the file and in metres: other formats, such as DAE. nullopt with a
 // `fault` if it cannot be read, or if the generator was built without assimp.
-std::optional<TriangleMesh> read_scene(
-    const std::filesystem::path& path,
-    std::string_view content,
-    std::string& fault);
+std::optional<TriangleMesh> read_scene(const std::filesystem::path& path, std::string_view content, std::string& fault);
 
 // Reads a file in the format that its name says: the ones above. nullopt with a `fault`, which completes the sentence
 // `the file cannot be read: …`.

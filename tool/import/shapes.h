@@ -15,7 +15,8 @@ namespace robcogen::import {
 struct ShapeOptions {
   bool visuals = false;
   bool collisions = false;
-  // A collision shape that cannot be read is an error. Otherwise a shape that cannot be read is left out, with a warning.
+  // A collision shape that cannot be read is an error. Otherwise a shape that cannot be read is left out, with a
+  // warning.
   bool are_checked = false;
   std::vector<std::filesystem::path> folders = {};  // with packages: find_resource
 

@@ -25,13 +25,13 @@ Segment along_z(double radius, double length) {
 }
 
 double volume(const Segment& s) {
-  const double length = std::hypot(
-      s.ends[1][0] - s.ends[0][0], s.ends[1][1] - s.ends[0][1], s.ends[1][2] - s.ends[0][2]);
+  const double length =
+      std::hypot(s.ends[1][0] - s.ends[0][0], s.ends[1][1] - s.ends[0][1], s.ends[1][2] - s.ends[0][2]);
   return std::numbers::pi * s.radius * s.radius * (length + 4.0 / 3.0 * s.radius);
 }
 
-// Around points, along this coordinate axis. Its axis is in the middle of the points; the half spheres at its ends reach
-// over the points beyond the segment.
+// Around points, along this coordinate axis. Its axis is in the middle of the points; the half spheres at its ends
+// reach over the points beyond the segment.
 Segment around(const std::vector<Point3>& points, std::size_t axis) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Point3 low, high;
@@ -139,7 +139,9 @@ std::vector<Capsule> capsules(const KinematicTree& tree) {
   return result;
 }
 
-std::vector<std::array<std::size_t, 2>> collision_pairs(const KinematicTree& tree, const std::vector<Capsule>& capsules) {
+std::vector<std::array<std::size_t, 2>> collision_pairs(
+    const KinematicTree& tree,
+    const std::vector<Capsule>& capsules) {
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < capsules.size(); ++i)
     for (std::size_t k = i + 1; k < capsules.size(); ++k) {

@@ -27,6 +27,8 @@ std::vector<Capsule> capsules(const KinematicTree& tree);
 
 // The pairs of these capsules, first index first, whose distance changes: of different links. With an SRDF, all but
 // those that it disables; otherwise all but those of links that a joint connects.
-std::vector<std::array<std::size_t, 2>> collision_pairs(const KinematicTree& tree, const std::vector<Capsule>& capsules);
+std::vector<std::array<std::size_t, 2>> collision_pairs(
+    const KinematicTree& tree,
+    const std::vector<Capsule>& capsules);
 
 }  // namespace robcogen::model

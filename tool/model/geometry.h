@@ -31,13 +31,13 @@ struct Shape {
   // m: the radius; the radius and the length, of a capsule without its half spheres; the edges along x, y and z. Of a
   // mesh: factors of its coordinates.
   std::array<double, 3> size = {};
-  std::string file = {};                            // of a mesh, as the document names it
-  std::shared_ptr<const TriangleMesh> mesh = {};    // of a mesh
+  std::string file = {};                          // of a mesh, as the document names it
+  std::shared_ptr<const TriangleMesh> mesh = {};  // of a mesh
   Place place = {};
 };
 
 struct Geometry {
-  std::vector<Shape> shapes = {};                            // in the order of links
+  std::vector<Shape> shapes = {};                          // in the order of links
   std::vector<std::array<std::string, 2>> may_touch = {};  // pairs of bodies that an SRDF excludes from checks
   bool has_srdf = false;                                   // one was read: all other pairs are checked
   std::vector<std::filesystem::path> files = {};           // of meshes, that were read

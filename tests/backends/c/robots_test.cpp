@@ -330,9 +330,7 @@ const std::string kColumnLoops[] = {
     "constants",
 #endif
 };
-INSTANTIATE_TEST_SUITE_P(Of, ColumnLoops, testing::ValuesIn(kColumnLoops), [](const auto& kind) {
-  return kind.param;
-});
+INSTANTIATE_TEST_SUITE_P(Of, ColumnLoops, testing::ValuesIn(kColumnLoops), [](const auto& kind) { return kind.param; });
 
 TEST(C, DerivativesAndContactsGiveWhatTheInterpreterGives) {
   const Library leg = library(

@@ -23,11 +23,22 @@ TEST_P(JavaScriptRobots, GiveWhatTheInterpreterGives) {
 }
 
 const std::string kRobots[] = {
-    "hyl_parametric", "ball_leg", "five_bar",
+    "hyl_parametric",
+    "ball_leg",
+    "five_bar",
 #if ROBCOGEN_TEST_EVERYTHING
-    "hyl",          "scara",
-    "achilles_leg", "centaur",        "delta",     "gripper",         "humanoid",
-    "iiwa14",       "puma560",        "quadruped", "quadruped_fixed", "tree5",
+    "hyl",
+    "scara",
+    "achilles_leg",
+    "centaur",
+    "delta",
+    "gripper",
+    "humanoid",
+    "iiwa14",
+    "puma560",
+    "quadruped",
+    "quadruped_fixed",
+    "tree5",
 #endif
 };
 INSTANTIATE_TEST_SUITE_P(Of, JavaScriptRobots, testing::ValuesIn(kRobots), [](const auto& robot) {

@@ -20,8 +20,8 @@ class MaximaRobots : public WithMaxima, public testing::WithParamInterface<std::
 TEST_P(MaximaRobots, GiveWhatTheInterpreterGives) {
   // Maxima takes a minute for the derivatives of a humanoid, and half a minute for those of a centaur. In the default
   // run the robot with parameters stands for the groups, and the one with a ball joint for its quaternions.
-  const bool has_all = ROBCOGEN_TEST_EVERYTHING ? GetParam() != "humanoid" && GetParam() != "centaur"
-                                                : GetParam() == "hyl_parametric";
+  const bool has_all =
+      ROBCOGEN_TEST_EVERYTHING ? GetParam() != "humanoid" && GetParam() != "centaur" : GetParam() == "hyl_parametric";
   const backend::Library library = library_of(
       document(GetParam()), GetParam(), std::nullopt, {}, has_all ? algorithm::groups() : algorithm::default_groups());
   ASSERT_GT(library.functions.size(), 20U);
@@ -87,10 +87,19 @@ TEST_P(MaximaText, IsTidy) {
 }
 
 const std::string kRobots[] = {
-    "hyl_parametric", "ball_leg",
+    "hyl_parametric",
+    "ball_leg",
 #if ROBCOGEN_TEST_EVERYTHING
-    "hyl",     "achilles_leg", "centaur",   "five_bar",        "humanoid",
-    "iiwa14",  "puma560",      "quadruped", "quadruped_fixed", "scara",
+    "hyl",
+    "achilles_leg",
+    "centaur",
+    "five_bar",
+    "humanoid",
+    "iiwa14",
+    "puma560",
+    "quadruped",
+    "quadruped_fixed",
+    "scara",
     "tree5",
 #endif
 };

@@ -18,9 +18,9 @@ TEST(NullBackEnd, ListsTheFunctionsOfALibrary) {
       test::function(
           "inertia", "inertia_of_all",
           test::described_program("program inertia\n"
-                        "input q joint_position HFE KFE\n"
-                        "output H inertia_matrix 2 2\n"
-                        "return H 1 0 0 1\n"))};
+                                  "input q joint_position HFE KFE\n"
+                                  "output H inertia_matrix 2 2\n"
+                                  "return H 1 0 0 1\n"))};
   const std::vector<OutputFile> files = kNull.print(library);
   ASSERT_EQ(files.size(), 1U);
   EXPECT_EQ(files[0].path, "leg.txt");

@@ -44,8 +44,7 @@ std::vector<std::string> signatures(const model::KinematicTree& tree, const std:
   std::vector<std::string> list;
   model::DesiredTransforms desired = model::all_desired(tree);
   desired.jacobians = model::default_desired(tree).jacobians;
-  for (const symbolic::Function& f : functions(tree, desired, group))
-    list.push_back(signature(f.program));
+  for (const symbolic::Function& f : functions(tree, desired, group)) list.push_back(signature(f.program));
   return list;
 }
 

@@ -191,8 +191,7 @@ TEST(TransformPrograms, TurnsAboutOneAxisAreOne) {
   EXPECT_EQ(sum.add, 2);
   EXPECT_EQ(cost({turn(kX, variable(0)), turn(kX, -variable(0))}).instructions, 0);
   // Lengths along one axis add up as well, even if other translations come between them.
-  const symbolic::Cost lengths =
-      cost({shift(kX, variable(0)), shift(kY, variable(1)), shift(kX, -variable(0))});
+  const symbolic::Cost lengths = cost({shift(kX, variable(0)), shift(kY, variable(1)), shift(kX, -variable(0))});
   EXPECT_EQ(lengths.instructions, 0);
 }
 

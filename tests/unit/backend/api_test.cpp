@@ -82,7 +82,8 @@ TEST(Api, ResultTypesFollowTheRolesOfTheOutputs) {
           "J", "J", test::described_program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"))),
       "Matrix<6, 0>");
   EXPECT_EQ(
-      result_type(test::function("H", "H", test::described_program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n"))),
+      result_type(
+          test::function("H", "H", test::described_program("program H\noutput H inertia_matrix 1 1\nreturn H 1\n"))),
       "InertiaMatrix");
 }
 
@@ -187,7 +188,8 @@ TEST(Api, DifferentFunctionsNeverShareAName) {
 TEST(Api, TheColumnsOfAJacobianStandBesideIt) {
   Library library = test::leg_library();
   Function f = test::function(
-      "a_J_b", "a_J_b", test::described_program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"));
+      "a_J_b", "a_J_b",
+      test::described_program("program J\ninput q joint_position a\noutput J jacobian 6 0\nreturn J\n"));
   f.scope = "jacobians";
   library.functions = {f, f};
   library.functions[1].name = library.functions[1].kernel = "a_J_b_columns";

@@ -97,28 +97,28 @@ Library library_with_kernels() {
       test::function(
           "inverse_dynamics", "inverse_dynamics",
           test::described_program("program inverse_dynamics\n"
-                        "input q joint_position HFE KFE\n"
-                        "input qd joint_velocity HFE KFE\n"
-                        "output tau joint_force 2 1\n"
-                        "section hip link thigh: force\n"
-                        "section knee link shank: force\n"
-                        "in 0\n"
-                        "tmp s = sin q[0]\n"
-                        "tmp c = cos q[0]\n"
-                        "tmp t0 = q[1] * s\n"
-                        "let thigh_fx = t0 + c\n"
-                        "in 1\n"
-                        "tmp t1 = sqrt thigh_fx\n"
-                        "tmp t2 = 0.35 / t1\n"
-                        "return tau thigh_fx -t2\n")),
+                                  "input q joint_position HFE KFE\n"
+                                  "input qd joint_velocity HFE KFE\n"
+                                  "output tau joint_force 2 1\n"
+                                  "section hip link thigh: force\n"
+                                  "section knee link shank: force\n"
+                                  "in 0\n"
+                                  "tmp s = sin q[0]\n"
+                                  "tmp c = cos q[0]\n"
+                                  "tmp t0 = q[1] * s\n"
+                                  "let thigh_fx = t0 + c\n"
+                                  "in 1\n"
+                                  "tmp t1 = sqrt thigh_fx\n"
+                                  "tmp t2 = 0.35 / t1\n"
+                                  "return tau thigh_fx -t2\n")),
       test::function(
           "inverse_dynamics", "inverse_dynamics_gravity",
           test::described_program("program inverse_dynamics_gravity\n"
-                        "input q joint_position HFE KFE\n"
-                        "input qd joint_velocity HFE KFE\n"
-                        "input gravity gravity x y z\n"
-                        "output tau joint_force 2 1\n"
-                        "return tau gravity[2] 0\n"))};
+                                  "input q joint_position HFE KFE\n"
+                                  "input qd joint_velocity HFE KFE\n"
+                                  "input gravity gravity x y z\n"
+                                  "output tau joint_force 2 1\n"
+                                  "return tau gravity[2] 0\n"))};
   return library;
 }
 

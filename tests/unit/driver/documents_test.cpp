@@ -35,8 +35,8 @@ TEST(Documents, OfOtherSuffixesAreJudgedByTheirContent) {
 }
 
 TEST(Documents, RobotsComeInFourLanguages) {
-  EXPECT_TRUE(is_robot(Language::robot) && is_robot(Language::urdf) && is_robot(Language::mjcf) &&
-      is_robot(Language::sdf));
+  EXPECT_TRUE(
+      is_robot(Language::robot) && is_robot(Language::urdf) && is_robot(Language::mjcf) && is_robot(Language::sdf));
   EXPECT_FALSE(is_robot(Language::motions) || is_robot(Language::transforms) || is_robot(Language::desired));
 }
 

@@ -101,7 +101,8 @@ TEST(DefaultDesired, IsEndsOfLimbsAndUserFramesToAndFromTheBase) {
   const DesiredTransforms desired = default_desired(tree);
   // The leg has one child; the trunk has several.
   EXPECT_EQ(frames_in(desired), (std::vector<std::string>{"fr_foot", "fr_arm", "fr_trunk", "sole"}));
-  EXPECT_EQ(frames_in(all_desired(tree)), (std::vector<std::string>{"fr_foot", "fr_leg", "fr_arm", "fr_trunk", "sole"}));
+  EXPECT_EQ(
+      frames_in(all_desired(tree)), (std::vector<std::string>{"fr_foot", "fr_leg", "fr_arm", "fr_trunk", "sole"}));
   ASSERT_EQ(desired.transforms.size(), 8u);  // both ways
   EXPECT_EQ(desired.transforms[0].left.name, "fr_base");
   EXPECT_EQ(desired.transforms[0].right.name, "fr_foot");

@@ -84,7 +84,8 @@ TEST_F(ExpressionTest, AMultipleOfPiIsNotItsDouble) {
 }
 
 TEST_F(ExpressionTest, ConstantsFoldOnlyWhereTheirRepresentativesDo) {
-  const Expression zero = graph.constant(Constant().folded_as(0.25)), one = graph.constant(Constant(Number(1.0)).folded_as(2.0));
+  const Expression zero = graph.constant(Constant().folded_as(0.25)),
+                   one = graph.constant(Constant(Number(1.0)).folded_as(2.0));
   EXPECT_TRUE(zero.is_constant());
   EXPECT_FALSE(zero.is_zero());
   EXPECT_FALSE(one.is_one());

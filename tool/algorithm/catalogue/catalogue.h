@@ -76,8 +76,8 @@ bool folds_like_others(const symbolic::Program& program);
 // False if no constant of the function can do so with these choices.
 bool may_fold_like_others(const Declared& function, FormulationChoices& choices);
 
-// The group whose functions need collision shapes, which are not read otherwise; and whether a text mentions one of these
-// functions.
+// The group whose functions need collision shapes, which are not read otherwise; and whether a text mentions one of
+// these functions.
 inline constexpr const char* kCollisionGroup = "collision";
 bool mentions_collisions(const std::string& text);
 

@@ -48,16 +48,18 @@ Declarations collision_declarations() {
          .labels = names_of_shapes<true>},
         {.name = "collision_capsules",
          .exists = has_any<false>,
-         .summary = {"Collision shapes that are not spheres, as capsules: the two ends (m) of their axes in base axes, a "
-                     "column of six rows for each, and their radii (m), which are constant. A capsule is itself; "
-                     "cylinders, boxes and meshes are inside theirs."},
+         .summary =
+             {"Collision shapes that are not spheres, as capsules: the two ends (m) of their axes in base axes, a "
+              "column of six rows for each, and their radii (m), which are constant. A capsule is itself; "
+              "cylinders, boxes and meshes are inside theirs."},
          .signature = {{q}, {matrix("ends", rows<6>, count_of_shapes<false>), value("radii", count_of_shapes<false>)}},
          .program = {by<collision_capsules>},
          .labels = names_of_shapes<false>},
         {.name = "self_distance",
          .exists = has_few_pairs,
-         .summary = {"Smallest distance (m) between spheres and capsules of links whose pair is checked; negative where "
-                     "two overlap."},
+         .summary =
+             {"Smallest distance (m) between spheres and capsules of links whose pair is checked; negative where "
+              "two overlap."},
          .signature = {{q}, {value("distance", rows<1>)}},
          .program = {by<self_distance>}}}}};
 }

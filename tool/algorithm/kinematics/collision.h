@@ -19,8 +19,8 @@ symbolic::Program collision_capsules(const model::KinematicTree& tree, const std
 // where their axes are nearer than their radii allow.
 //
 // The program has no branches and no other operations than those of dynamics: |x| is the root of x^2 + 1e-36 m^2, which
-// is |x| after rounding, except below 1e-10 m, where its derivative is that of a smooth function and never undefined. The
-// points of two segments are those of Ericson (2005, sec. 5.1.9). Where the axes of two capsules are nearly
+// is |x| after rounding, except below 1e-10 m, where its derivative is that of a smooth function and never undefined.
+// The points of two segments are those of Ericson (2005, sec. 5.1.9). Where the axes of two capsules are nearly
 // parallel, to 1e-3 rad, the distance may be too large by 5e-7 of the product of their lengths, divided by itself.
 symbolic::Program self_distance(const model::KinematicTree& tree, const std::string& name);
 

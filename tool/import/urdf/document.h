@@ -49,7 +49,7 @@ struct PlacedShape {
 
 struct Link {
   Name name;
-  std::optional<Inertial> inertial;  // also absent if all of its values are given and zero
+  std::optional<Inertial> inertial;      // also absent if all of its values are given and zero
   std::vector<PlacedShape> shapes = {};  // see read_shapes
 };
 

@@ -31,7 +31,8 @@ class ShapeReader {
     result.shape.place = reader_.place(element.span);
     const Parts own = reader_.parts(element, {"geometry", "origin"});
     result.origin = reader_.origin(own);
-    if (const Element* geometry = reader_.require_part(element, own, "geometry")) read_geometry(*geometry, result.shape);
+    if (const Element* geometry = reader_.require_part(element, own, "geometry"))
+      read_geometry(*geometry, result.shape);
     return result;
   }
 
@@ -48,9 +49,8 @@ class ShapeReader {
       shape.kind = static_cast<Kind>(k);
       return read_sizes(*found->second, shape);
     }
-    reader_.diagnostics()
-        .error("missing-element", reader_.place(geometry.span), "this 'geometry' has no shape")
-        .hint = "write a sphere, capsule, cylinder, box or mesh";
+    reader_.diagnostics().error("missing-element", reader_.place(geometry.span), "this 'geometry' has no shape").hint =
+        "write a sphere, capsule, cylinder, box or mesh";
   }
 
   void read_sizes(const Element& element, model::Shape& shape) {
@@ -122,7 +122,8 @@ bool add_findings(const Diagnostics& found, bool is_needed, Diagnostics& diagnos
       diagnostics.error(d.code, d.place, d.message) = d;
       continue;
     }
-    Diagnostic& copy = diagnostics.warning(d.code, d.place, is_error ? d.message + ": the shape is left out" : d.message);
+    Diagnostic& copy =
+        diagnostics.warning(d.code, d.place, is_error ? d.message + ": the shape is left out" : d.message);
     copy.notes = d.notes;
     copy.hint = d.hint;
   }
