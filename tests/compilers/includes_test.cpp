@@ -47,10 +47,11 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"csignal", "std::signal"},
     {"cstddef", "std::ptrdiff_t"},
     {"cstring", "std::memcpy"},
-    {"cstdint", "std::int64_t std::uint32_t std::uint64_t std::uint8_t"},
+    {"cstdint", "std::int64_t std::uint16_t std::uint32_t std::uint64_t std::uint8_t"},
     {"cstdio",
      "EOF stderr stdin stdout std::FILE std::fclose std::ferror std::fflush std::fopen std::fread std::fwrite "
      "std::getc"},
+    {"cstdlib", "std::getenv"},
     {"deque", "std::deque"},
     {"exception", "std::current_exception std::exception_ptr std::rethrow_exception"},
     {"exception stdexcept", "std::exception"},
