@@ -1,5 +1,5 @@
 // Every message of the URDF import, as a user sees it: bad/<name>.urdf must produce exactly the messages in its file.
-// Words in the name set options: `-snap`, `-free-mimic`, `-floating-base`, `-allow-implausible`, `-shapes`.
+// Words in the name set options: `-snap`, `-free-mimic`, `-floating-base`, `-allow-implausible`, `-checked`.
 #include "import/urdf/document.h"
 #include "reading.h"
 
@@ -21,7 +21,7 @@ TEST_P(Messages, AreAsExpected) {
   options.free_mimic_joints = asks_for("-free-mimic");
   options.floating_base = asks_for("-floating-base");
   options.allow_implausible = asks_for("-allow-implausible");
-  options.shapes.visuals = options.shapes.collisions = options.shapes.are_checked = asks_for("-shapes");
+  options.shapes.visuals = options.shapes.collisions = options.shapes.are_checked = asks_for("-checked");
 
   Diagnostics diagnostics;
   testing::internal::CaptureStderr();
