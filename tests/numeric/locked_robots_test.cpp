@@ -41,7 +41,7 @@ constexpr int kShards = 10;
 
 // With ROBCOGEN_TEST_EVERYTHING, 300.
 int locked_count() {
-  return std::max(1, robot_count() / 5);
+  return std::max(50, robot_count() / 5);
 }
 
 KinematicTree tree_of(const language::kinematics::Document& document, const model::Changes& changes) {
