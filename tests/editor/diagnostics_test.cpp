@@ -18,7 +18,7 @@ const std::vector<std::string> kRoomsOfMessages = {"language", "model", "parts",
 // False for documents that need a command-line option, and for files that the command line refuses before parsing.
 bool is_compared(const GoldenDocument& document) {
   static const std::regex options(
-      "-snap|-free-mimic|-floating-base|-allow-implausible|not-original|nul\\b|utf-16|-binary|garbage|"
+      "-snap|-free-mimic|-floating-base|-allow-implausible|-checked|not-original|nul\\b|utf-16|-binary|garbage|"
       "other-format|-mjcf|-urdf|unreadable-import");
   return !std::regex_search(document.file.stem().string(), options);
 }
