@@ -4,7 +4,7 @@
 #include "plugins.h"
 #include "robcogen/ros/description.h"
 
-namespace robcogen::test {
+namespace robcogen::test::chain_test {
 namespace {
 
 using ros::Chain;
@@ -125,4 +125,4 @@ TEST(Chain, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::chain_test

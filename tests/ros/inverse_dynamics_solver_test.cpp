@@ -4,7 +4,7 @@
 
 #include "plugins.h"
 
-namespace robcogen::test {
+namespace robcogen::test::inverse_dynamics_solver_test {
 namespace {
 
 namespace ids = inverse_dynamics_solver;
@@ -130,4 +130,4 @@ TEST(InverseDynamicsSolver, RefusesWrongParameters) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::inverse_dynamics_solver_test

@@ -4,7 +4,7 @@
 #include "../real_time/allocation_hook.h"
 #include "plugins.h"
 
-namespace robcogen::test {
+namespace robcogen::test::kinematics_interface_test {
 namespace {
 
 using kinematics_interface::KinematicsInterface;
@@ -192,4 +192,4 @@ TEST(KinematicsInterface, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::kinematics_interface_test

@@ -7,7 +7,7 @@
 #include "../real_time/allocation_hook.h"
 #include "plugins.h"
 
-namespace robcogen::test {
+namespace robcogen::test::moveit_test {
 namespace {
 
 using Error = moveit_msgs::msg::MoveItErrorCodes;
@@ -236,4 +236,4 @@ TEST(MoveIt, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::moveit_test

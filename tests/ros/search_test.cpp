@@ -4,7 +4,7 @@
 
 #include "robcogen/ros/inverse_kinematics.h"
 
-namespace robcogen::test {
+namespace robcogen::test::search_test {
 namespace {
 
 using ros::Outcome;
@@ -137,4 +137,4 @@ TEST(Search, LeastMisfitIfAsked) {
 }
 
 }  // namespace
-}  // namespace robcogen::test
+}  // namespace robcogen::test::search_test
