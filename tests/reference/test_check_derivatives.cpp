@@ -8,7 +8,8 @@ namespace {
 TEST(Checks, FindDerivativesUnderWrenchesThatDoNotMove) {
   struct Wrong : RightDerivatives {
     using RightDerivatives::RightDerivatives;
-    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments)
+        const override {
       Derivatives d = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments);
       d.q = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, {arguments.gravity, nullptr}).q;
       return d;
@@ -23,7 +24,8 @@ TEST(Checks, FindDerivativesUnderWrenchesThatDoNotMove) {
 TEST(Checks, FindABaseThatTurnsWithGravity) {
   struct Wrong : RightDerivatives {
     using RightDerivatives::RightDerivatives;
-    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+    Derivatives inverse_dynamics_fully_actuated_derivatives(const Motion<double>& m, const Arguments& arguments)
+        const override {
       Derivatives d = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments);
       d.base_rotation = -d.base_rotation;
       d.qd.set_block(0, 0, 0.5 * d.qd.col(0));
@@ -40,13 +42,13 @@ TEST(Checks, FindAForwardDynamicsOfTheWrongSign) {
     Derivatives forward_dynamics_derivatives(
         const Motion<double>& m,
         const Vector<double>& tau,
-        const Arguments& arguments) const {
+        const Arguments& arguments) const override {
       Derivatives d = RightDerivatives::forward_dynamics_derivatives(m, tau, arguments);
       d.q = -d.q;
       d.last.set_block(0, 0, 1.001 * d.last.col(0));
       return d;
     }
-    Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const {
+    Derivatives gravity_forces_derivative(const Vector<double>& q, const Arguments& arguments) const override {
       Derivatives d = RightDerivatives::gravity_forces_derivative(q, arguments);
       d.q.set_block(0, 0, 1.001 * d.q.col(0));
       return d;
@@ -63,7 +65,7 @@ TEST(Checks, FindAGradientOfOtherWeights) {
     Derivatives inverse_dynamics_gradient(
         const Motion<double>& m,
         const Vector<double>& weights,
-        const Arguments& arguments) const {
+        const Arguments& arguments) const override {
       return RightDerivatives::inverse_dynamics_gradient(m, 1.001 * weights, arguments);
     }
   };
@@ -74,7 +76,7 @@ TEST(Checks, FindAGradientOfOtherWeights) {
 TEST(Checks, FindABaseThatIsHeldInDerivatives) {
   struct Wrong : RightDerivatives {
     using RightDerivatives::RightDerivatives;
-    Derivatives inverse_dynamics_derivatives(const Motion<double>& m, const Arguments& arguments) const {
+    Derivatives inverse_dynamics_derivatives(const Motion<double>& m, const Arguments& arguments) const override {
       Derivatives d = RightDerivatives::inverse_dynamics_derivatives(m, arguments);
       d.q = RightDerivatives::inverse_dynamics_fully_actuated_derivatives(m, arguments).q;
       return d;

@@ -41,13 +41,14 @@ class UnitRobot {
 class RightRegressors {
  public:
   explicit RightRegressors(const Robot& robot) : robot_(robot) {}
+  virtual ~RightRegressors() = default;
 
-  Matrix<double> regressor(const Motion<double>& m, const Arguments& arguments) const {
+  virtual Matrix<double> regressor(const Motion<double>& m, const Arguments& arguments) const {
     return columns([&](const Robot& unit) {
       return cut(robot_.floating_base, generalized_forces(unit, cast<Real>(m), loads_of(arguments)));
     });
   }
-  Matrix<double> drive_regressor(const Motion<double>& m) const {
+  virtual Matrix<double> drive_regressor(const Motion<double>& m) const {
     const int n = robot_.dof(), first = robot_.floating_base ? 6 : 0;
     Matrix<double> Y(first + n, 5 * n);
     for (int j = 0; j < n; ++j) {
@@ -56,21 +57,23 @@ class RightRegressors {
     }
     return Y;
   }
-  Vector<double> inertial_parameters() const { return inertial_parameters_of(robot_).cast<double>(); }
-  Vector<double> drive_parameters() const { return drive_parameters_of(robot_, true).cast<double>(); }
+  virtual Vector<double> inertial_parameters() const { return inertial_parameters_of(robot_).cast<double>(); }
+  virtual Vector<double> drive_parameters() const { return drive_parameters_of(robot_, true).cast<double>(); }
   // All parameters serve as base parameters.
-  Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
-    return regressor(m, arguments);
+  virtual Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
+    return RightRegressors::regressor(m, arguments);
   }
-  Vector<double> base_parameters(const Vector<double>& all, const Arguments&) const { return all; }
-  Matrix<double> energy_regressor(const Motion<double>& m, const Arguments& arguments) const {
+  virtual Vector<double> base_parameters(const Vector<double>& all, const Arguments&) const { return all; }
+  virtual Matrix<double> energy_regressor(const Motion<double>& m, const Arguments& arguments) const {
     return columns([&](const Robot& unit) {
       const Motion<Real> motion = cast<Real>(m);
       return Vector<Real>{kinetic_energy(unit, motion), potential_energy(unit, motion.q, loads_of(arguments).gravity)};
     });
   }
-  Matrix<double> slotine_li_regressor(const Motion<double>& m, const Motion<double>& r, const Arguments& arguments)
-      const {
+  virtual Matrix<double> slotine_li_regressor(
+      const Motion<double>& m,
+      const Motion<double>& r,
+      const Arguments& arguments) const {
     return columns([&](const Robot& unit) { return reference_forces(unit, m, r, loads_of(arguments)); });
   }
 
@@ -127,11 +130,7 @@ class RightRegressors {
   Robot robot_;
 };
 
-template <class Subject>
-std::string failures(bool floating) {
-  const Tables tables = crooked_tree(floating);
-  const Robot robot = tables.robot();
-  const Subject subject(robot);
+std::string failures(const RightRegressors& subject, const Robot& robot) {
   Checks checks;
   std::mt19937_64 engine(7);
   const Sample s = random_sample(engine, robot);
@@ -142,6 +141,13 @@ std::string failures(bool floating) {
   check_energy_regressor(subject, c, checks);
   check_slotine_li_regressor(subject, c, checks);
   return checks.failure_report();
+}
+
+template <class Subject>
+std::string failures(bool floating) {
+  const Tables tables = crooked_tree(floating);
+  const Robot robot = tables.robot();
+  return failures(Subject(robot), robot);
 }
 
 template <class Wrong>
@@ -159,12 +165,12 @@ TEST(IdentificationChecks, PassWhatIsRight) {
 TEST(IdentificationChecks, FindProductsOfInertiaOfTheWrongSign) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;
-    Matrix<double> regressor(const Motion<double>& m, const Arguments& arguments) const {
+    Matrix<double> regressor(const Motion<double>& m, const Arguments& arguments) const override {
       Matrix<double> Y = RightRegressors::regressor(m, arguments);
       for (int k = 7; k < Y.cols(); k += 10) Y.set_block(0, k, -1.0 * Y.col(k));
       return Y;
     }
-    Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const {
+    Matrix<double> base_regressor(const Motion<double>& m, const Arguments& arguments) const override {
       return regressor(m, arguments);
     }
   };
@@ -174,7 +180,7 @@ TEST(IdentificationChecks, FindProductsOfInertiaOfTheWrongSign) {
 TEST(IdentificationChecks, FindParametersInAnotherOrder) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;
-    Vector<double> inertial_parameters() const {
+    Vector<double> inertial_parameters() const override {
       Vector<double> pi = RightRegressors::inertial_parameters();
       std::swap(pi(5), pi(6));
       return pi;
@@ -186,7 +192,7 @@ TEST(IdentificationChecks, FindParametersInAnotherOrder) {
 TEST(IdentificationChecks, FindWrongParametersOfDrives) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;
-    Vector<double> drive_parameters() const {
+    Vector<double> drive_parameters() const override {
       Vector<double> pi = RightRegressors::drive_parameters();
       pi(0) += 1;
       return pi;
@@ -198,7 +204,7 @@ TEST(IdentificationChecks, FindWrongParametersOfDrives) {
 TEST(IdentificationChecks, FindAPotentialOfTheWrongSign) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;
-    Matrix<double> energy_regressor(const Motion<double>& m, const Arguments& arguments) const {
+    Matrix<double> energy_regressor(const Motion<double>& m, const Arguments& arguments) const override {
       Matrix<double> Y = RightRegressors::energy_regressor(m, arguments);
       for (int k = 0; k < Y.cols(); ++k) Y(1, k) = -Y(1, k);
       return Y;
@@ -212,7 +218,7 @@ TEST(IdentificationChecks, FindACoriolisMatrixThatIsNotSkew) {
   struct Wrong : RightRegressors {
     using RightRegressors::RightRegressors;
     Matrix<double> slotine_li_regressor(const Motion<double>& m, const Motion<double>& r, const Arguments& arguments)
-        const {
+        const override {
       Motion<double> scaled = r;
       const Vector<double> v = coordinates(robot_.floating_base, m.base_velocity, m.qd),
                            v_r = coordinates(robot_.floating_base, r.base_velocity, r.qd);

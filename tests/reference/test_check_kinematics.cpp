@@ -1,7 +1,9 @@
 // The checks of transforms, Jacobians, frame motions and centroidal quantities find the mistakes that they are meant to
 // find.
-#include "right_subject.h"
+#include "robcogen/reference/check_kinematics.h"
 
+#include "right_subject.h"
+#include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/compiled_robot.h"
 
 namespace robcogen::reference {
@@ -41,7 +43,7 @@ TEST(Checks, FindMatricesStoredByRows) {
 TEST(Checks, FindAJacobianOfTheWrongSign) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> jacobian(int index, const Vector<double>& q) const {
+    Matrix<double> jacobian(int index, const Vector<double>& q) const override {
       Matrix<double> J = Right::jacobian(index, q);
       if (index == 1) J.set_block(0, 0, -J.col(0));
       return J;
@@ -54,11 +56,11 @@ TEST(Checks, FindAJacobianOfTheWrongSign) {
 TEST(Checks, FindAFixedBaseInTheCenterOfMass) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> center_of_mass(const Vector<double>& q) const {
+    Vector<double> center_of_mass(const Vector<double>& q) const override {
       const double base = robot_.links[0].mass, moving = moving_mass(robot_);
       return moving / (moving + base) * Right::center_of_mass(q);
     }
-    double potential_energy(const Vector<double>& q, const Arguments& arguments) const {
+    double potential_energy(const Vector<double>& q, const Arguments& arguments) const override {
       return Right::potential_energy(q, arguments) + 1e-9;
     }
   };
@@ -69,7 +71,7 @@ TEST(Checks, FindAFixedBaseInTheCenterOfMass) {
 TEST(Checks, FindMomentumAboutTheWrongPoint) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const {
+    Matrix<double> centroidal_momentum_matrix(const Vector<double>& q) const override {
       Matrix<double> A = Right::centroidal_momentum_matrix(q);
       for (int k = 0; k < A.cols(); ++k) A.set_block(0, k, momentum(robot_, unit_motion(q, k)));
       return A;
@@ -82,12 +84,12 @@ TEST(Checks, FindMomentumAboutTheWrongPoint) {
 TEST(Checks, FindACenterOfMassThatRidesOnAJoint) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const {
+    Matrix<double> center_of_mass_jacobian(const Vector<double>& q) const override {
       Matrix<double> J = Right::center_of_mass_jacobian(q);
       J.set_block(0, J.cols() - 1, Vector<double>(3));
       return J;
     }
-    double kinetic_energy(const Motion<double>& m) const { return 2 * Right::kinetic_energy(m); }
+    double kinetic_energy(const Motion<double>& m) const override { return 2 * Right::kinetic_energy(m); }
   };
   expect_found<Wrong>({"center_of_mass_jacobian", "kinetic_energy"});
 }
@@ -109,7 +111,7 @@ TEST(Checks, FindAMissingColumn) {
 TEST(Checks, FindTwistsAboutTheWrongPoint) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> frame_function(int index, const Motion<double>& m) const {
+    Matrix<double> frame_function(int index, const Motion<double>& m) const override {
       const FrameFunction& f = robot_.frame_functions[index];
       const Matrix<double> found = Right::frame_function(index, m);
       const Vector<double> p = origin_of(reference::transform(robot_, m.q, f.left, f.right));
@@ -125,7 +127,7 @@ TEST(Checks, FindTwistsAboutTheWrongPoint) {
 TEST(Checks, FindAClassicalAcceleration) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> frame_function(int index, const Motion<double>& m) const {
+    Matrix<double> frame_function(int index, const Motion<double>& m) const override {
       const FrameFunction& f = robot_.frame_functions[index];
       const Matrix<double> found = Right::frame_function(index, m);
       if (f.quantity != FrameQuantity::frame_acceleration) return found;

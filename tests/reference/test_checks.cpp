@@ -13,7 +13,7 @@ TEST(Checks, PassWhatIsRight) {
 TEST(Checks, FindGravityOfTheWrongSign) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const {
+    Vector<double> gravity_forces(const Vector<double>& q, const Arguments& arguments) const override {
       return -Right::gravity_forces(q, arguments);
     }
   };
@@ -23,7 +23,7 @@ TEST(Checks, FindGravityOfTheWrongSign) {
 TEST(Checks, FindGravityFixedAtCompileTime) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> bias_forces(const Motion<double>& m, const Arguments& arguments) const {
+    Vector<double> bias_forces(const Motion<double>& m, const Arguments& arguments) const override {
       return Right::bias_forces(m, {nullptr, arguments.external});
     }
   };
@@ -33,10 +33,10 @@ TEST(Checks, FindGravityFixedAtCompileTime) {
 TEST(Checks, FindDroppedExternalWrenches) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> inverse_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+    Vector<double> inverse_dynamics(const Motion<double>& m, const Arguments& arguments) const override {
       return Right::inverse_dynamics(m, {arguments.gravity, nullptr});
     }
-    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const {
+    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const override {
       return Right::inverse_dynamics_fully_actuated(m, {arguments.gravity, nullptr});
     }
   };
@@ -48,7 +48,7 @@ TEST(Checks, FindAnExternalWrenchInTheWrongFrame) {
   struct Wrong : Right {
     using Right::Right;
     Vector<double> forward_dynamics(const Motion<double>& m, const Vector<double>& tau, const Arguments& arguments)
-        const {
+        const override {
       if (arguments.external == nullptr) return Right::forward_dynamics(m, tau, arguments);
       std::vector<Vector<double>> turned = *arguments.external;
       const Matrix<double> R = rotation_of(link_poses(robot_, m.q)[2]);
@@ -64,7 +64,7 @@ TEST(Checks, FindAClassicalBaseAcceleration) {
   struct Wrong : Right {
     using Right::Right;
     Vector<double> forward_dynamics(const Motion<double>& m, const Vector<double>& tau, const Arguments& arguments)
-        const {
+        const override {
       Vector<double> result = Right::forward_dynamics(m, tau, arguments);
       const Vector<double> extra = cross(m.base_velocity.head(3), m.base_velocity.tail(3));
       for (int k = 0; k < 3; ++k) result(3 + k) += extra(k);
@@ -77,7 +77,7 @@ TEST(Checks, FindAClassicalBaseAcceleration) {
 TEST(Checks, FindCoriolisForcesOfHalfSize) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> coriolis_forces(const Motion<double>& m) const { return 0.5 * Right::coriolis_forces(m); }
+    Vector<double> coriolis_forces(const Motion<double>& m) const override { return 0.5 * Right::coriolis_forces(m); }
   };
   expect_found<Wrong>({"coriolis_forces", "P3: v'C = v'(dH/dt)v/2"});
 }
@@ -85,7 +85,7 @@ TEST(Checks, FindCoriolisForcesOfHalfSize) {
 TEST(Checks, FindAnAsymmetricInertiaMatrix) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const override {
       Matrix<double> H = Right::joint_space_inertia(q);
       H(0, 1) *= 1 + 1e-14;
       return H;
@@ -97,7 +97,7 @@ TEST(Checks, FindAnAsymmetricInertiaMatrix) {
 TEST(Checks, FindAStrayElementBetweenBranches) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> joint_space_inertia(const Vector<double>& q) const {
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const override {
       Matrix<double> H = Right::joint_space_inertia(q);
       const int a = H.rows() - 1, b = H.rows() - 2;  // joints B1 and A3
       H(a, b) = H(b, a) = 1e-17;
@@ -110,7 +110,9 @@ TEST(Checks, FindAStrayElementBetweenBranches) {
 TEST(Checks, FindAnIndefiniteInertiaMatrix) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> joint_space_inertia(const Vector<double>& q) const { return -Right::joint_space_inertia(q); }
+    Matrix<double> joint_space_inertia(const Vector<double>& q) const override {
+      return -Right::joint_space_inertia(q);
+    }
   };
   expect_found<Wrong>(
       {"joint_space_inertia", "P2: H positive definite", "P2: columns of H", "P3: v'Hv/2 = kinetic energy"});
@@ -120,7 +122,7 @@ TEST(Checks, FindAnIndefiniteInertiaMatrix) {
 template <class Change>
 struct WrongFactor : Right {
   using Right::Right;
-  FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const {
+  FactorResults inertia_factor(const Vector<double>& q, const Vector<double>& x) const override {
     FactorResults results = Right::inertia_factor(q, x);
     Change()(results);
     return results;
@@ -166,7 +168,7 @@ TEST(Checks, FindASolutionOfHalfTheWay) {
 TEST(Checks, FindSwappedForms) {
   struct Wrong : Right {
     using Right::Right;
-    TransformForms transform(int index, const Vector<double>& q) const {
+    TransformForms transform(int index, const Vector<double>& q) const override {
       TransformForms X = Right::transform(index, q);
       std::swap(X.motion, X.force);
       return X;
@@ -178,7 +180,7 @@ TEST(Checks, FindSwappedForms) {
 TEST(Checks, FindAnInverseTransform) {
   struct Wrong : Right {
     using Right::Right;
-    TransformForms transform(int index, const Vector<double>& q) const {
+    TransformForms transform(int index, const Vector<double>& q) const override {
       if (index != 1) return Right::transform(index, q);
       const Matrix<double> X = inverse_of(Right::transform(index, q).homogeneous);
       return {X, motion_form(X), force_form(X)};
@@ -190,7 +192,7 @@ TEST(Checks, FindAnInverseTransform) {
 TEST(Checks, FindForcesOfNoWrench) {
   struct Wrong : Right {
     using Right::Right;
-    TransformForms transform(int index, const Vector<double>& q) const {
+    TransformForms transform(int index, const Vector<double>& q) const override {
       TransformForms X = Right::transform(index, q);
       X.force(0, 4) += 1e-9;
       return X;
@@ -203,7 +205,7 @@ TEST(Checks, FindForcesOfNoWrench) {
 TEST(Checks, FindACoriolisMatrixThatIsNotPassive) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> coriolis_matrix(const Motion<double>& m) const {
+    Matrix<double> coriolis_matrix(const Motion<double>& m) const override {
       const Vector<double> v = coordinates(robot_.floating_base, m.base_velocity, m.qd);
       return 1 / dot(v, v) *
              (coordinates(
@@ -218,7 +220,9 @@ TEST(Checks, FindACoriolisMatrixThatIsNotPassive) {
 TEST(Checks, FindACoriolisMatrixTransposed) {
   struct Wrong : Right {
     using Right::Right;
-    Matrix<double> coriolis_matrix(const Motion<double>& m) const { return transpose(Right::coriolis_matrix(m)); }
+    Matrix<double> coriolis_matrix(const Motion<double>& m) const override {
+      return transpose(Right::coriolis_matrix(m));
+    }
   };
   expect_found<Wrong>({"coriolis_matrix times velocity"});
 }
@@ -226,7 +230,7 @@ TEST(Checks, FindACoriolisMatrixTransposed) {
 TEST(Checks, FindAMomentumWhoseRateLacksCoriolisForces) {
   struct Wrong : Right {
     using Right::Right;
-    MomentumAndRate generalized_momentum(const Motion<double>& m, const Arguments& arguments) const {
+    MomentumAndRate generalized_momentum(const Motion<double>& m, const Arguments& arguments) const override {
       MomentumAndRate result = Right::generalized_momentum(m, arguments);
       result.rate = -1 * bias_forces(m, arguments);
       return result;
@@ -238,7 +242,7 @@ TEST(Checks, FindAMomentumWhoseRateLacksCoriolisForces) {
 TEST(Checks, FindPathDynamicsWithoutCoriolisForces) {
   struct Wrong : Right {
     using Right::Right;
-    PathTerms path_dynamics(const Motion<double>& m, const Arguments& arguments) const {
+    PathTerms path_dynamics(const Motion<double>& m, const Arguments& arguments) const override {
       PathTerms terms = Right::path_dynamics(m, arguments);
       terms.b = joint_space_inertia(m.q) * m.qdd;
       return terms;
@@ -251,12 +255,12 @@ TEST(Checks, FindPathDynamicsWithoutCoriolisForces) {
 TEST(Checks, FindWhatIsNoNumber) {
   struct Wrong : Right {
     using Right::Right;
-    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const {
+    Vector<double> inverse_dynamics_fully_actuated(const Motion<double>& m, const Arguments& arguments) const override {
       Vector<double> result = Right::inverse_dynamics_fully_actuated(m, arguments);
       result(result.rows() - 1) = std::nan("");
       return result;
     }
-    TransformForms transform(int index, const Vector<double>& q) const {
+    TransformForms transform(int index, const Vector<double>& q) const override {
       TransformForms X = Right::transform(index, q);
       X.homogeneous(0, 0) = std::nan("");
       return X;
