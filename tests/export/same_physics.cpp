@@ -119,7 +119,7 @@ Differences differences(const KinematicTree& found, const KinematicTree& expecte
 
     const Eigen::MatrixXd H = eigen(second.joint_space_inertia(state.q));
     const Eigen::MatrixXd found_H =
-        to_expected * eigen(first.joint_space_inertia(found_state.q)) * to_expected.inverse();
+        to_expected * eigen(first.joint_space_inertia(found_state.q)) * to_expected.transpose();
     // A joint that moves no inertia is compared relative to the largest inertia that another joint moves.
     const Eigen::VectorXd weight = (H.diagonal().array() > 0).select(H.diagonal(), H.diagonal().maxCoeff()).cwiseSqrt();
     const Eigen::MatrixXd size = weight * weight.transpose();

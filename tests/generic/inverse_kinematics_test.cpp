@@ -1,7 +1,7 @@
 // Damped least squares reaches poses that are reachable.
 #include "robcogen/generic/inverse_kinematics.h"
 
-#include <Eigen/SVD>
+#include "linear_algebra.h"
 #include "robots.h"
 
 namespace robcogen::test::inverse_kinematics_test {
@@ -61,7 +61,7 @@ typename Chain::JointState regular_joints(
     double limit) {
   while (true) {
     const typename Chain::JointState q = about + uniform_joints<typename Chain::JointState>(engine, limit);
-    if (Eigen::MatrixXd(Chain::jacobian(q)).jacobiSvd().singularValues().minCoeff() > kSmallestSingularValue) return q;
+    if (singular_values(Chain::jacobian(q)).minCoeff() > kSmallestSingularValue) return q;
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "document_tree.h"
 #include "inverted.h"
+#include "linear_algebra.h"
 #include "model/named_frame.h"
 #include "volume.h"
 
@@ -254,7 +255,7 @@ std::vector<Values> solutions(
       }
       const Eigen::MatrixXd square =
           J.transpose() * J + (1e-9 + r.squaredNorm() / 20) * Eigen::MatrixXd::Identity(n, n);
-      const Eigen::VectorXd change = square.ldlt().solve(-J.transpose() * r);
+      const Eigen::VectorXd change = test::solved(square, -J.transpose() * r);
       for (int k = 0; k < n; ++k) q[static_cast<std::size_t>(k)] += change(k);
       r = residual(q);
     }

@@ -13,6 +13,7 @@
 #include "algorithm/kinematics/inverse_kinematics.h"
 #include "algorithm/kinematics/kinematics.h"
 #include "dice.h"
+#include "linear_algebra.h"
 #include "reference_tables.h"
 #include "robcogen/reference/kinematics.h"
 #include "symbolic/interpret.h"
@@ -71,7 +72,7 @@ class Inverted {
       for (int i = 0; i < rows; ++i) columns(i, column) = J(6 - rows + i, k);
       ++column;
     }
-    return columns.determinant();
+    return test::determinant(columns);
   }
   bool has_determinant() const { return size_.has_determinant; }
 

@@ -5,13 +5,13 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <Eigen/Cholesky>
 #include <cstdio>
 #include <fstream>
 
 #include "imported.h"
 #include "interpreted_robot.h"
 #include "judge.h"
+#include "linear_algebra.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -197,7 +197,7 @@ class MimicRobot {
       if (!has("forward_dynamics")) continue;
       VectorXd missing = -bias;
       missing.tail(tree_.dof()) += to_eigen(forces_[i]);
-      const VectorXd qdd = H.ldlt().solve(missing);
+      const VectorXd qdd = test::solved(H, missing);
       of_qdd = std::max(of_qdd, error(to_eigen(robot_.forward_dynamics(m, forces_[i], arguments)), qdd));
     }
     expect("inverse dynamics", of_tau, tolerance);

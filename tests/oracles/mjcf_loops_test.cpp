@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <filesystem>
 #include <random>
@@ -14,6 +12,7 @@
 #include "import/identifier.h"
 #include "interpreted_robot.h"
 #include "judge.h"
+#include "linear_algebra.h"
 #include "mjcf_files.h"
 
 namespace robcogen::oracles {
@@ -200,12 +199,12 @@ class Comparison {
     // r = G y with the coordinates y, of which the base is a part; the other joints follow.
     const int free = base_ + tables_.dof(), followers = model_.nv - free;
     ASSERT_GT(followers, 0);
-    const auto of_followers = K.rightCols(followers).completeOrthogonalDecomposition();
-    EXPECT_EQ(of_followers.rank(), followers);
+    const MatrixXd of_followers = K.rightCols(followers);
+    EXPECT_EQ(test::rank(of_followers, 1e-12), followers);
     MatrixXd G = MatrixXd::Identity(model_.nv, free);
-    G.bottomRows(followers) = -of_followers.solve(K.leftCols(free));
+    G.bottomRows(followers) = -test::least_squares(of_followers, K.leftCols(free));
     VectorXd added = VectorXd::Zero(model_.nv);
-    added.tail(followers) = -of_followers.solve(K_change);
+    added.tail(followers) = -test::least_squares(of_followers, K_change);
     EXPECT_LT((K * G).cwiseAbs().maxCoeff(), kClosed * std::max(1.0, K.cwiseAbs().maxCoeff()));
 
     const VectorXd velocity = T * rates;
@@ -222,7 +221,7 @@ class Comparison {
     force -= G.transpose() * T.transpose() * (M * (T * added + T_change) + bias);
     const reference::Vector<double> gravity{model_.opt.gravity[0], model_.opt.gravity[1], model_.opt.gravity[2]};
     const VectorXd found = to_eigen(robot_.forward_dynamics(motion, tau, {&gravity, nullptr}));
-    expect_near("acceleration", found, H.ldlt().solve(force));
+    expect_near("acceleration", found, test::solved(H, force));
   }
 
   static void expect_near(const std::string& what, const MatrixXd& ours, const MatrixXd& theirs) {

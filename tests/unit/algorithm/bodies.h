@@ -18,8 +18,8 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& p) {
   return m;
 }
 
-// Featherstone 2008, eq. 2.24 and 2.25: maps coordinates in the frame with pose T to coordinates in the frame in which
-// T is given.
+// Featherstone 2008, eq. 2.24 to 2.27: the matrices map coordinates in the frame with pose T to coordinates in the frame in
+// which T is given.
 inline Matrix6d motion_transform(const Eigen::Isometry3d& t) {
   Matrix6d x = Matrix6d::Zero();
   x.topLeftCorner<3, 3>() = x.bottomRightCorner<3, 3>() = t.linear();
@@ -27,7 +27,10 @@ inline Matrix6d motion_transform(const Eigen::Isometry3d& t) {
   return x;
 }
 inline Matrix6d force_transform(const Eigen::Isometry3d& t) {
-  return motion_transform(t).inverse().transpose();
+  Matrix6d x = Matrix6d::Zero();
+  x.topLeftCorner<3, 3>() = x.bottomRightCorner<3, 3>() = t.linear();
+  x.topRightCorner<3, 3>() = cross_matrix(t.translation()) * t.linear();
+  return x;
 }
 
 inline Vector6d value(const Numbers& n, const Motion& m) {

@@ -1,7 +1,8 @@
 #include "inertia_reference.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include "linear_algebra.h"
 
 namespace robcogen::model::test {
 namespace {
@@ -62,7 +63,7 @@ int nullity(const Eigen::MatrixXd& H) {
   // All numbers are of order one or zero, so an absolute limit is sufficient.
   constexpr double kZero = 1e-9;
   if (H.size() == 0) return 0;
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
+  const Eigen::VectorXd values = robcogen::test::eigenvalues(H);
   return static_cast<int>((values.array() < kZero).count());
 }
 

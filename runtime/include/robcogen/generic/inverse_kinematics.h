@@ -16,7 +16,6 @@
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) > 201703L
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -53,6 +52,37 @@ Eigen::Matrix<Scalar, 6, 1> pose_error(const Matrix<Scalar, 4, 4>& from, const M
   return error;
 }
 
+namespace inverse_kinematics_detail {
+
+// J^T (J J^T + mu)^-1 e with the Cholesky factor L of the inner matrix. These are loops because Eigen's solver of this size
+// takes several seconds to compile.
+template <class Scalar, class Jacobian>
+auto damped_step(const Jacobian& J, const Eigen::Matrix<Scalar, 6, 1>& e, Scalar mu) noexcept {
+  constexpr int kCount = Jacobian::ColsAtCompileTime;
+  Scalar L[6][6], x[6];
+  for (int i = 0; i < 6; ++i) {
+    x[i] = e[i];
+    for (int j = 0; j <= i; ++j) {
+      Scalar sum = i == j ? mu : Scalar(0);
+      for (int k = 0; k < kCount; ++k) sum += J(i, k) * J(j, k);
+      for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
+      L[i][j] = i == j ? std::sqrt(sum) : sum / L[j][j];
+      if (j < i) x[i] -= L[i][j] * x[j];
+    }
+    x[i] /= L[i][i];
+  }
+  for (int i = 5; i >= 0; --i) {
+    for (int k = i + 1; k < 6; ++k) x[i] -= L[k][i] * x[k];
+    x[i] /= L[i][i];
+  }
+  Eigen::Matrix<Scalar, kCount, 1> step = Eigen::Matrix<Scalar, kCount, 1>::Zero();
+  for (int k = 0; k < kCount; ++k)
+    for (int i = 0; i < 6; ++i) step[k] += J(i, k) * x[i];
+  return step;
+}
+
+}  // namespace inverse_kinematics_detail
+
 // Returns the joint positions after one step towards `target`, a pose like chain.pose(q): q + J^T (J J^T + mu)^-1 e
 // with the pose error e and mu = damping + |e|^2 / 2. The damping (positive) keeps steps short at singularities; the
 // second term keeps them short for far targets and vanishes at the target (Sugihara, IEEE T-RO 27(5), 2011). Rotations
@@ -64,11 +94,9 @@ typename C::JointState inverse_kinematics_step(
     const Matrix<typename C::JointState::Scalar, 4, 4>& target,
     typename C::JointState::Scalar damping) noexcept {
   using Scalar = typename C::JointState::Scalar;
-  using Matrix6 = Matrix<Scalar, 6, 6>;
   const Eigen::Matrix<Scalar, 6, 1> error = pose_error<Scalar>(chain.pose(q), target);
-  const auto J = chain.jacobian(q);
-  const Matrix6 damped = J * J.transpose() + (damping + error.squaredNorm() / 2) * Matrix6::Identity();
-  const auto step = (J.transpose() * damped.llt().solve(error)).eval();
+  const auto step =
+      inverse_kinematics_detail::damped_step(chain.jacobian(q), error, damping + error.squaredNorm() / 2);
   typename C::JointState result = q;
   Eigen::Index row = 0;
   for (const auto joint : C::kColumns) result[static_cast<int>(joint)] += step[row++];
@@ -220,12 +248,9 @@ class Search {
     }
   }
 
-  // J^T (J J^T + mu)^-1 e with mu = damping + |e|^2 / 20.
   template <class Jacobian>
   Joints damped(const Jacobian& J, const Vector6& e) const {
-    using Matrix6 = Matrix<Scalar, 6, 6>;
-    const Matrix6 square = J * J.transpose() + (options_.damping + e.squaredNorm() / 20) * Matrix6::Identity();
-    return J.transpose() * square.llt().solve(e);
+    return damped_step(J, e, options_.damping + e.squaredNorm() / 20);
   }
 };
 
