@@ -8,7 +8,7 @@
 #include "robcogen/reference/samples.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::actuators_test {
 namespace {
 
 using model::KinematicTree;
@@ -111,4 +111,4 @@ TEST(Actuators, AgreeWithTheReference) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::actuators_test

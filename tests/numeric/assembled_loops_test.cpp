@@ -14,7 +14,7 @@
 #include "model/closed_positions.h"
 #include "robcogen/reference/samples.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::assembled_loops_test {
 namespace {
 
 using model::KinematicTree;
@@ -216,4 +216,4 @@ TEST(AssembledParts, AreMirrored) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::assembled_loops_test

@@ -21,7 +21,7 @@
 #include "symbolic/interpret.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::contacts_test {
 namespace {
 
 using model::KinematicTree;
@@ -511,4 +511,4 @@ TEST(JacobiansWithBase, AndBiasesAreThoseOfTheFrames) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::contacts_test

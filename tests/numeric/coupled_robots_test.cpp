@@ -9,7 +9,7 @@
 #include "reference_tables.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::coupled_robots_test {
 namespace {
 
 using model::KinematicTree;
@@ -118,4 +118,4 @@ TEST_P(CoupledRobots, AreTheReductionOfFreeOnes) {
 INSTANTIATE_TEST_SUITE_P(Shard, CoupledRobots, testing::Range(0, kShards));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::coupled_robots_test

@@ -16,7 +16,7 @@
 #include "random_robot.h"
 #include "spherical_robot.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::identification_test {
 namespace {
 
 using algorithm::Loads;
@@ -314,4 +314,4 @@ TEST(Regressors, OfRobotsWithCouplings) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::identification_test

@@ -14,7 +14,7 @@
 #include "inverted.h"
 #include "model/named_frame.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::inverse_corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(InverseCorpus, LimbsWithClosedForms) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::inverse_corpus_test

@@ -17,7 +17,7 @@
 #include "model/named_frame.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::inverse_kinematics_test {
 namespace {
 
 // rad, m: of branches that exist.
@@ -341,4 +341,4 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::inverse_kinematics_test

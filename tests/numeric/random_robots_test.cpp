@@ -9,7 +9,7 @@
 #include "random_robot.h"
 #include "volume.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::random_robots_test {
 namespace {
 
 using model::KinematicTree;
@@ -44,4 +44,4 @@ TEST_P(RandomRobots, AgreeWithTheReferenceAndWithThemselves) {
 INSTANTIATE_TEST_SUITE_P(Shard, RandomRobots, testing::Range(0, kShards));
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::random_robots_test

@@ -18,7 +18,7 @@
 #include "robcogen/reference/kinematics.h"
 #include "symbolic/interpret.h"
 
-namespace robcogen::numeric {
+namespace robcogen::numeric::robot_motions_test {
 namespace {
 
 using algorithm::TransformForm;
@@ -234,4 +234,4 @@ TEST_F(RobotMotions, OfTheCorpusMeanTheSameAsADocument) {
 }
 
 }  // namespace
-}  // namespace robcogen::numeric
+}  // namespace robcogen::numeric::robot_motions_test
