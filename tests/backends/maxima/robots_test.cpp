@@ -126,6 +126,7 @@ TEST_F(MaximaRobot, WithOneSignWrongIsFoundOut) {
   EXPECT_EQ(report.find("hyl_inverse"), std::string::npos) << report;
 }
 
+#if ROBCOGEN_TEST_EVERYTHING
 // With a floating base, gravity says how the base is oriented. Maxima functions have no defaults, so they cannot be
 // called without it.
 TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
@@ -155,6 +156,7 @@ TEST_F(MaximaRobot, ThatFloatsTakesGravity) {
   EXPECT_EQ(lines.size(), 26U);
   for (const std::string& line : lines) EXPECT_EQ(line, "[]");
 }
+#endif
 
 // The text defines its functions and no other variable, array, option or property, and the user's definitions do not
 // affect it.

@@ -294,12 +294,13 @@ TEST(EvalOfEveryFunction, ThatOpsLists) {
   const std::filesystem::path euler = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl";
   std::vector<std::filesystem::path> models = {robot("hyl"), euler};
   if (ROBCOGEN_TEST_EVERYTHING) models.push_back(robot("hyl_parametric"));
+  const std::size_t stride = ROBCOGEN_TEST_EVERYTHING ? 1 : 5;  // two processes each
   for (const std::filesystem::path& model : models) {
     const Outcome ops = run_tool("ops --json --effort 0 " + quoted(model));
     ASSERT_EQ(ops.status, 0) << ops.errors;
-    const json report = json::parse(ops.output);
-    for (const json& f : report["functions"]) {
-      const std::string name = f["name"];
+    const json functions = json::parse(ops.output)["functions"];
+    for (std::size_t k = 0; k < functions.size(); k += stride) {
+      const std::string name = functions[k]["name"];
       const std::string arguments = "eval --quiet " + quoted(model) + " " + name;
       const Outcome empty = run_tool(arguments, "{}");
       if (empty.status == 0) continue;  // the function is constant
