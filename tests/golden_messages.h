@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "golden.h"
 #include "golden_test.h"
+#include "patterns.h"
 #include "support/source.h"
 
 namespace robcogen::test {
@@ -61,15 +61,15 @@ inline void expect_messages(const std::string& messages, const std::filesystem::
 }
 
 // The first capture group of each match.
-inline std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+inline std::set<std::string> matches(const std::string& text, const std::string& pattern) {
   std::set<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) result.insert((*it)[1]);
+  for (const Match& found : all_matches(text, pattern)) result.insert(found[1]);
   return result;
 }
 
 // The codes in the messages of the folder's documents.
 inline std::set<std::string> shown_codes(const std::filesystem::path& folder, const std::set<std::string>& extensions) {
-  const std::regex rendered(R"re((?:error|warning|note): .*\[([a-z0-9-]+)\]\n)re");
+  const std::string rendered = R"re((?:error|warning|note): .*\[([a-z0-9-]+)\]\n)re";
   std::set<std::string> shown;
   for (const std::filesystem::path& file : files(folder, extensions))
     shown.merge(matches(golden_at(file).messages.value_or(""), rendered));

@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <string>
+
+#include "patterns.h"
 
 namespace robcogen::test {
 namespace {
@@ -12,8 +13,7 @@ namespace {
 // True for a name that is numbered within its section, numbered because another line has that name, or of lanes with
 // nothing in common.
 bool is_numbered(const std::string& name) {
-  static const std::regex pattern("(.*_t[0-9]+)|(.*_[0-9]+)|(lanes.*)|(t[0-9]+)");
-  return std::regex_match(name, pattern);
+  return whole_match(name, "(.*_t[0-9]+)|(.*_[0-9]+)|(lanes.*)|(t[0-9]+)").has_value();
 }
 
 struct Lines {
@@ -22,14 +22,14 @@ struct Lines {
 };
 
 void count(const std::filesystem::path& file, Lines& lines) {
-  static const std::regex definition(R"( *const (?:Scalar|Lanes[0-9]+) ([A-Za-z0-9_]+) =.*)");
+  const std::string definition = R"( *const (?:Scalar|Lanes[0-9]+) ([A-Za-z0-9_]+) =.*)";
   std::ifstream stream(file);
   ASSERT_TRUE(stream) << file;
-  std::smatch match;
   for (std::string line; std::getline(stream, line);) {
-    if (!std::regex_match(line, match, definition)) continue;
+    const auto match = whole_match(line, definition);
+    if (!match) continue;
     ++lines.all;
-    lines.numbered += is_numbered(match[1]);
+    lines.numbered += is_numbered((*match)[1]);
   }
 }
 

@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
+
+#include "patterns.h"
 
 namespace robcogen::test {
 namespace {
@@ -30,27 +31,25 @@ void add_operators(const std::string& line, Counts& counts) {
   counts[2] += occurrences(line, " / ");
   counts[3] += occurrences(line, "sqrt(");
   // `const auto [s_q, c_q] = trig_2[1];`: one of those that are computed together.
-  static const std::regex picked(R"(.*\] = trig(_\d+)?\[.*)");
   for (const char* call : {"sincos(", "sincos_of_small(", " = sin(", " = cos("}) counts[4] += occurrences(line, call);
-  if (line.find("] = trig") != std::string::npos) counts[4] += std::regex_match(line, picked);
+  if (line.find("] = trig") != std::string::npos)
+    counts[4] += whole_match(line, R"(.*\] = trig(_\d+)?\[.*)").has_value();
 }
 
 // `// 26 mul, 19 add, 1 div, 2 sincos: …`
 bool read_banner(const std::string& line, Counts& counts) {
-  static const std::regex pattern(
-      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ lane moves)?[:.].*)");
-  std::smatch match;
-  if (!line.starts_with("// ") || !std::regex_match(line, match, pattern)) return false;
-  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = match[k + 1].matched ? std::stoi(match[k + 1]) : 0;
+  const std::string pattern =
+      R"(// (\d+) mul, (\d+) add(?:, (\d+) div)?(?:, (\d+) sqrt)?(?:, (\d+) sincos)?(?:, \d+ lane moves)?[:.].*)";
+  const auto match = line.starts_with("// ") ? whole_match(line, pattern) : std::nullopt;
+  if (!match) return false;
+  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = (*match)[k + 1].empty() ? 0 : std::stoi((*match)[k + 1]);
   return true;
 }
 
 // The angle whose sine or cosine a line names: `const Scalar& s_HFE = sin_q[1];`
 void add_angle(const std::string& line, std::set<int>& angles) {
-  static const std::regex pattern(R"(.* = (?:sin|cos)_q\[(\d+)\];)");
-  std::smatch match;
-  if (line.find("_q[") != std::string::npos && std::regex_match(line, match, pattern))
-    angles.insert(std::stoi(match[1]));
+  if (line.find("_q[") == std::string::npos) return;
+  if (const auto match = whole_match(line, R"(.* = (?:sin|cos)_q\[(\d+)\];)")) angles.insert(std::stoi((*match)[1]));
 }
 
 // The text after `word` up to the parenthesis; empty when the line does not have the word.

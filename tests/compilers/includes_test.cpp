@@ -6,12 +6,13 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "patterns.h"
 
 namespace robcogen {
 namespace {
@@ -115,9 +116,9 @@ std::map<std::string, std::vector<std::string>> declarations() {
 
 // Returns the text without string literals and comments.
 std::string without_literals(const std::string& text) {
-  static const std::regex literal(
-      "R\"(\\w*)\\([^]*?\\)\\1\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'|//[^\n]*|/\\*[^]*?\\*/");
-  return std::regex_replace(text, literal, "\"\"");
+  const std::string literal =
+      "R\"(\\w*)\\([^]*?\\)\\1\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'|//[^\n]*|/\\*[^]*?\\*/";
+  return test::replaced(text, literal, "\"\"");
 }
 
 struct File {
@@ -129,16 +130,15 @@ struct File {
 File read(const fs::path& path) {
   File file;
   std::ifstream stream(path);
-  const std::regex include(R"re(\s*#include ([<"])([^>"]+)[>"].*)re");
-  std::smatch match;
   std::string text;
   for (std::string line; std::getline(stream, line);) {
-    if (!std::regex_match(line, match, include))
+    const auto include = test::whole_match(line, R"re(\s*#include ([<"])([^>"]+)[>"].*)re");
+    if (!include)
       text += line + "\n";
-    else if (match[1] == "<")
-      file.packaged.insert(match[2]);
+    else if ((*include)[1] == "<")
+      file.packaged.insert((*include)[2]);
     else
-      file.own.push_back(match[2]);
+      file.own.push_back((*include)[2]);
   }
   file.text = without_literals(text);
   return file;
@@ -172,10 +172,10 @@ void add_packaged(
 // order.
 std::set<std::string> missing(const std::string& text, const std::set<std::string>& included) {
   static const auto table = declarations();
-  static const std::regex used(R"((^|[^:\w])((std|fmt|nlohmann)::\w+|assert|errno|EOF|stdin|stdout|stderr)\b)");
+  const std::string used = R"((^|[^:\w])((std|fmt|nlohmann)::\w+|assert|errno|EOF|stdin|stdout|stderr)\b)";
   std::set<std::string> result;
-  for (std::sregex_iterator use(text.begin(), text.end(), used), end; use != end; ++use) {
-    const std::string name = (*use)[2];
+  for (const test::Match& use : test::all_matches(text, used)) {
+    const std::string& name = use[2];
     const auto found = table.find(name);
     if (found == table.end() || std::none_of(
                                     found->second.begin(), found->second.end(),

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <regex>
 #include <string>
 
 #include "markdown.h"
+#include "patterns.h"
 
 namespace robcogen::test::excerpts_test {
 namespace {
@@ -21,21 +21,19 @@ const fs::path& generated() {
 
 // Returns what is wrong with a block; empty if it is right, or does not begin with a path.
 std::string fault(const std::string& block) {
-  static const std::regex head(R"(^// ((tool|tests|hyl)/\S+)\n)");
-  std::smatch found;
-  if (!std::regex_search(block, found, head)) return "";
-  const fs::path file = (found[2] == "hyl" ? generated() : source_folder()) / found[1].str();
+  const auto head = first_match(block, R"(^// ((tool|tests|hyl)/\S+)\n)");
+  if (!head) return "";
+  const fs::path file = ((*head)[2] == "hyl" ? generated() : source_folder()) / (*head)[1];
   if (!fs::exists(file)) return "no such file";
-  return read_text(file).find(found.suffix().str()) == std::string::npos ? "not in the file" : "";
+  return read_text(file).find(block.substr((*head)[0].size())) == std::string::npos ? "not in the file" : "";
 }
 
 TEST(Excerpts, AreInTheirFiles) {
-  const std::regex fence("```cpp\n([^`]*)```");
   int count = 0;
   for (const char* guide : {"tool/README.md", "tool/backend/README.md"}) {
     const std::string text = read_text(source_folder() / guide);
-    for (std::sregex_iterator at(text.begin(), text.end(), fence), end; at != end; ++at) {
-      const std::string block = (*at)[1];
+    for (const Match& match : all_matches(text, "```cpp\n([^`]*)```")) {
+      const std::string& block = match[1];
       if (block.starts_with("// ")) ++count;
       EXPECT_EQ(fault(block), "") << guide << ":\n" << block;
     }

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 #include "markdown.h"
+#include "patterns.h"
 
 namespace robcogen::test::groups_test {
 namespace {
@@ -29,13 +29,10 @@ struct Groups {
 Groups groups_of_tool() {
   int status = 0;
   const std::string help = output_of("'" ROBCOGEN_TOOL "' generate --help", status);
-  std::smatch all;
-  const std::regex pattern(R"(--algorithms TEXT:\{([^}]*)\}[^-]* default ([a-z_, ]*))");
-  const bool found = std::regex_search(help, all, pattern);
-  EXPECT_TRUE(found && status == 0) << help;
-  Groups groups;
-  if (!found) return groups;
-  groups = {split(all[1], ','), split(all[2], ',')};
+  const auto all = first_match(help, R"(--algorithms TEXT:\{([^}]*)\}[^-]* default ([a-z_, ]*))");
+  EXPECT_TRUE(all && status == 0) << help;
+  if (!all) return {};
+  Groups groups = {split((*all)[1], ','), split((*all)[2], ',')};
   EXPECT_EQ(groups.all.back(), "all");
   groups.all.pop_back();
   return groups;
@@ -50,10 +47,10 @@ TEST(Groups, OfCMakeAreThoseOfTheGenerator) {
 // The rows | `group` | yes or no | functions | of cmake/README.md are the lines of the generator's list.
 TEST(Groups, OfTheGuideAreThoseOfTheGenerator) {
   std::vector<Words> listed, shown;
-  const std::regex line(R"re(ROBCOGEN_GROUP\((\w+), (true|false), [\w |]+, "(.*)"\))re");
+  const std::string line = R"re(ROBCOGEN_GROUP\((\w+), (true|false), [\w |]+, "(.*)"\))re";
   for (const std::string& text : split(read_text(source_folder() / "tool/algorithm/catalogue/groups.inc"), '\n'))
-    if (std::smatch found; std::regex_match(text, found, line))
-      listed.push_back({"`" + found[1].str() + "`", found[2] == "true" ? "yes" : "no", found[3]});
+    if (const auto found = whole_match(text, line))
+      listed.push_back({"`" + (*found)[1] + "`", (*found)[2] == "true" ? "yes" : "no", (*found)[3]});
   for (const Words& row : table_rows(read_text(source_folder() / "cmake/README.md")))
     if (row.size() == 3 && (row[1] == "yes" || row[1] == "no")) shown.push_back(row);
   EXPECT_EQ(shown, listed);
@@ -68,17 +65,16 @@ TEST(Groups, OfTheTasksAreThoseOfTheGenerator) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
   const std::string functions = read_text(source_folder() / "cmake/Robcogen.cmake");
-  const std::regex group(R"((\*\*)?`([a-z_]+)`)"), keyword("`([A-Z_]+)`");
   Words shown;
   for (const Words& row : table_rows(read_text(source_folder() / "runtime/TASKS.md"))) {
     if (row.size() != 5) continue;
-    for (std::sregex_iterator at(row[2].begin(), row[2].end(), group), end; at != end; ++at) {
-      shown.push_back((*at)[2]);
-      EXPECT_TRUE(contains(groups.all, (*at)[2])) << row[0];
-      EXPECT_EQ((*at)[1].matched, !contains(groups.by_default, (*at)[2])) << row[0];
+    for (const Match& group : all_matches(row[2], R"((\*\*)?`([a-z_]+)`)")) {
+      shown.push_back(group[2]);
+      EXPECT_TRUE(contains(groups.all, group[2])) << row[0];
+      EXPECT_EQ(!group[1].empty(), !contains(groups.by_default, group[2])) << row[0];
     }
-    for (std::sregex_iterator at(row[3].begin(), row[3].end(), keyword), end; at != end; ++at)
-      EXPECT_TRUE(std::regex_search(functions, std::regex("\\b" + (*at)[1].str() + "\\b"))) << row[0];
+    for (const Match& keyword : all_matches(row[3], "`([A-Z_]+)`"))
+      EXPECT_TRUE(first_match(functions, "\\b" + keyword[1] + "\\b")) << row[0];
   }
   for (const std::string& name : groups.all)
     EXPECT_TRUE(
@@ -90,8 +86,7 @@ TEST(Groups, OfTheTasksAreThoseOfTheGenerator) {
 TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
   const auto words_of = [](const std::string& text) {
     Words words;
-    const std::regex word("[A-Z][A-Z_]+");
-    for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at) words.push_back(at->str());
+    for (const Match& word : all_matches(text, "[A-Z][A-Z_]+")) words.push_back(word[0]);
     std::sort(words.begin(), words.end());
     words.erase(std::unique(words.begin(), words.end()), words.end());
     return words;
@@ -106,7 +101,7 @@ TEST(Groups, KeywordsOfTheGuideAreThoseOfTheFunctions) {
         std::pair("robcogen_add_transforms", "RobcogenTransforms.cmake")}) {
     std::string declared, shown;
     for (const std::string& line : split(read_text(source_folder() / "cmake" / file), '\n'))
-      if (std::regex_search(line, std::regex(R"(^set\((flags|values|lists) [A-Z])"))) declared += line + "\n";
+      if (first_match(line, R"(^set\((flags|values|lists) [A-Z])")) declared += line + "\n";
     for (const Words& row : table_rows(section(guide, function)))
       if (row[0].starts_with("`") && row[0][1] >= 'A' && row[0][1] <= 'Z') shown += row[0] + "\n";
     EXPECT_EQ(words_of(shown), words_of(declared)) << function;

@@ -7,12 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "markdown.h"
+#include "patterns.h"
 
 namespace robcogen::test::lessons_test {
 namespace {
@@ -70,20 +70,20 @@ std::string run_in_clone(const std::string& lines, int& status) {
 
 // Returns how the text differs from the one shown; empty if it does not. Blanks may differ, and numbers behind a ~.
 std::string difference(const std::string& shown, const std::string& text) {
-  static const std::regex pattern(R"(-?\d+(\.(\d+))?(e[-+]?\d+)?)");
+  const std::string pattern = R"(-?\d+(\.(\d+))?(e[-+]?\d+)?)";
   std::istringstream words(shown), others(text);
   std::string word, other;
-  const auto skeleton = [](const std::string& s) { return std::regex_replace(s, pattern, "#"); };
+  const auto skeleton = [&](const std::string& s) { return replaced(s, pattern, "#"); };
   while (words >> word) {
     if (!(others >> other)) return "ends before " + word;
     const std::string fault = other + " instead of " + word;
     if (skeleton(word) != skeleton(other)) return fault;
     if (word.starts_with("~")) continue;
-    for (std::sregex_iterator a(word.begin(), word.end(), pattern), b(other.begin(), other.end(), pattern), end;
-         a != end; ++a, ++b) {
-      const auto decimals = static_cast<double>((*a)[2].length());
+    const std::vector<Match> expected = all_matches(word, pattern), found = all_matches(other, pattern);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      const auto decimals = static_cast<double>(expected[k][2].length());
       const double tolerance = decimals == 0 ? kWithoutDecimals : kLastDecimals * std::pow(10.0, -decimals);
-      if (std::abs(std::stod(a->str()) - std::stod(b->str())) > std::max(tolerance, 1e-12)) return fault;
+      if (std::abs(std::stod(expected[k][0]) - std::stod(found[k][0])) > std::max(tolerance, 1e-12)) return fault;
     }
   }
   return others >> other ? "continues with " + other : "";
@@ -155,7 +155,7 @@ TEST(Lessons, WorkAsWritten) {
 
 // The lines of a text without indentation.
 std::string flat(const std::string& text) {
-  return std::regex_replace("\n" + text, std::regex("\n[ \t]+"), "\n");
+  return replaced("\n" + text, "\n[ \t]+", "\n");
 }
 
 TEST(Lessons, QuoteTheirFiles) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #include "markdown.h"
+#include "patterns.h"
 
 namespace robcogen::test::links_test {
 namespace {
@@ -26,13 +26,13 @@ std::string fault(const fs::path& guide, const std::string& link) {
 
 TEST(Links, LeadToFilesAndHeadings) {
   // Link titles may contain `code`, which `without_code` removes, so the pattern does not read them.
-  const std::regex pattern(R"(\]\(([^)\s]+)\))");
+  const std::string pattern = R"(\]\(([^)\s]+)\))";
   const std::vector<fs::path> all = guides();
   std::size_t count = 0;
   for (const fs::path& guide : all) {
     const std::string text = without_code(read_text(source_folder() / guide));
-    for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
-      const std::string link = (*at)[1];
+    for (const Match& match : all_matches(text, pattern)) {
+      const std::string& link = match[1];
       if (link.starts_with("https://") || link.starts_with("http://")) continue;
       ++count;
       EXPECT_EQ(fault(guide, link), "") << guide << " links to " << link;

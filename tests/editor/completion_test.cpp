@@ -1,8 +1,8 @@
 // Completion by context; the vocabulary is compared with the guide's grammars.
-#include <regex>
 #include <set>
 
 #include "client.h"
+#include "patterns.h"
 #include "run_tool.h"
 #include "server/vocabulary.h"
 
@@ -114,9 +114,7 @@ TEST(Vocabulary, IsThatOfTheGrammars) {
     ASSERT_NE(begin, std::string::npos) << first;
     const std::string grammar = guide.substr(begin, guide.find("```", begin) - begin);
     std::set<std::string> expected, words;
-    const std::regex quoted(R"re(['"]([A-Za-z_]+)['"])re");
-    for (std::sregex_iterator it(grammar.begin(), grammar.end(), quoted), end; it != end; ++it)
-      expected.insert((*it)[1]);
+    for (const Match& word : all_matches(grammar, R"re(['"]([A-Za-z_]+)['"])re")) expected.insert(word[1]);
     for (const std::string& word : server::keywords(language)) words.insert(word);
     for (const std::string& word : server::contextual_words(language)) words.insert(word);
     EXPECT_EQ(words, expected) << first;

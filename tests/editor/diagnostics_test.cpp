@@ -1,9 +1,9 @@
 // The server reports the diagnostics of the command line, at the same places.
-#include <regex>
 #include <set>
 
 #include "client.h"
 #include "goldens.h"
+#include "patterns.h"
 
 namespace robcogen::test::diagnostics_test {
 namespace {
@@ -17,10 +17,10 @@ const std::vector<std::string> kRoomsOfMessages = {"language", "model", "parts",
 
 // False for documents that need a command-line option, and for files that the command line refuses before parsing.
 bool is_compared(const GoldenDocument& document) {
-  static const std::regex options(
+  const std::string options =
       "-snap|-free-mimic|-floating-base|-allow-implausible|-checked|not-original|nul\\b|utf-16|-binary|garbage|"
-      "other-format|-mjcf|-urdf|unreadable-import");
-  return !std::regex_search(document.file.stem().string(), options);
+      "other-format|-mjcf|-urdf|unreadable-import";
+  return !first_match(document.file.stem().string(), options);
 }
 
 // Returns the document without a leading byte order mark, which editors omit.
@@ -37,11 +37,11 @@ struct Message {
 
 std::vector<Message> messages_in(const std::string& rendered) {
   std::vector<Message> result;
-  const std::regex head(R"(^(?:[^\n:]*/)?([^\n:/]+):(\d+):(\d+): (error|warning): (.*) \[([a-z0-9-]+)\]$)");
+  const std::string head = R"(^(?:[^\n:]*/)?([^\n:/]+):(\d+):(\d+): (error|warning): (.*) \[([a-z0-9-]+)\]$)";
   std::istringstream lines(rendered);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch m;
-    if (std::regex_match(line, m, head)) {
+    if (const std::optional<Match> found = whole_match(line, head)) {
+      const Match& m = *found;
       result.push_back({m[1], m[4], m[6], m[5], std::stoul(m[2]), std::stoul(m[3]), 0});
     } else if (!result.empty() && result.back().width == 0) {
       const std::size_t caret = line.find_first_not_of(" \t");

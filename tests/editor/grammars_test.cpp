@@ -1,8 +1,8 @@
 // Files of tool/editors: generated files have the words of the parsers, and the others name all languages.
-#include <regex>
 
 #include "client.h"
 #include "language/common/lexer.h"
+#include "patterns.h"
 #include "run_tool.h"
 #include "server/vocabulary.h"
 
@@ -29,12 +29,12 @@ TEST(Grammars, AreThoseOfTheParsers) {
 // The expressions of a TextMate grammar find the same words, numbers and comments as the lexer.
 TEST(Grammars, OfTextMateFindWhatTheLexerFinds) {
   const Json grammar = Json::parse(contents(kEditors / "vscode/syntaxes/kindsl.tmLanguage.json"));
-  std::map<std::string, std::regex> patterns;
+  std::map<std::string, std::string> patterns;
   for (const Json& pattern : grammar.at("patterns"))
     if (pattern.contains("match") && pattern.contains("name"))
-      patterns.emplace(pattern["name"].get<std::string>(), std::regex(pattern["match"].get<std::string>()));
+      patterns.emplace(pattern["name"].get<std::string>(), pattern["match"].get<std::string>());
   const auto matches = [&](const std::string& name, std::string_view word) {
-    return std::regex_match(std::string(word), patterns.at(name + ".kindsl"));
+    return whole_match(std::string(word), patterns.at(name + ".kindsl")).has_value();
   };
   const std::string text = contents(robot("hyl_parametric"));
   Diagnostics none;

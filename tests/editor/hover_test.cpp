@@ -1,7 +1,7 @@
 // Hover texts: numbers compared with calculation by hand and with the generator's results.
-#include <regex>
 
 #include "client.h"
+#include "patterns.h"
 #include "run_tool.h"
 
 namespace robcogen::test::hover_test {
@@ -116,33 +116,31 @@ TEST(Hover, HasTheNumbersOfTheGenerator) {
     const std::string uri = file_uri(robot(name)), text = contents(robot(name));
     client.open(uri, text);
     const std::string list = "file:///list.dtdsl";
-    const std::regex link(R"((?:^|\n)\s*(?:link|RobotBase) +(\w+))"), robot_name(R"((?:^|\n)Robot (\w+))");
-    std::smatch match;
-    ASSERT_TRUE(std::regex_search(text, match, robot_name));
-    const std::string owner = match[1];
+    const std::optional<Match> robot_name = first_match(text, R"((?:^|\n)Robot (\w+))");
+    ASSERT_TRUE(robot_name);
+    const std::string owner = (*robot_name)[1];
     std::vector<std::string> links;
-    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) links.push_back((*it)[1]);
+    for (const Match& link : all_matches(text, R"((?:^|\n)\s*(?:link|RobotBase) +(\w+))")) links.push_back(link[1]);
     ASSERT_GT(links.size(), 3U);
     for (std::size_t i = 1; i < links.size(); i += 4) {
       client.open(list, "Robot " + owner + "\nFrames { fr_" + links[i] + " }\nTransforms {}\n");
       const std::string shown = hover(client, list, "fr_" + links[i]);
-      std::smatch numbers;
-      ASSERT_TRUE(std::regex_search(shown, numbers, std::regex(R"(origin \((.*), (.*), (.*)\) m)")))
-          << name << " " << links[i] << shown;
+      const std::optional<Match> numbers = first_match(shown, R"(origin \((.*), (.*), (.*)\) m)");
+      ASSERT_TRUE(numbers) << name << " " << links[i] << shown;
       const std::string function = "transforms.homogeneous.fr_" + links[0] + "_X_fr_" + links[i];
       const std::string none = std::string("{\"q\": [") + [&] {
         std::string zeros;
         const Outcome ops = run_tool("ops --algorithms inverse_dynamics '" + robot(name).string() + "'");
-        std::smatch count;
-        EXPECT_TRUE(std::regex_search(ops.output, count, std::regex(R"(: (\d+) )")));
-        for (int k = 0; k < std::stoi(count[1]); ++k) zeros += k == 0 ? "0" : ", 0";
+        const std::optional<Match> count = first_match(ops.output, R"(: (\d+) )");
+        EXPECT_TRUE(count);
+        for (int k = 0; count && k < std::stoi((*count)[1]); ++k) zeros += k == 0 ? "0" : ", 0";
         return zeros;
       }() + "]}";
       const Outcome run = run_tool("eval --quiet '" + robot(name).string() + "' " + function, none);
       ASSERT_EQ(run.status, 0) << run.errors;
       const Json pose = Json::parse(run.output).at("X");
       for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_NEAR(std::stod(numbers[k + 1]), pose[k][3].get<double>(), 1e-5) << name << " " << links[i];
+        EXPECT_NEAR(std::stod((*numbers)[k + 1]), pose[k][3].get<double>(), 1e-5) << name << " " << links[i];
     }
   }
 }

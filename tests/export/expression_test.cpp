@@ -5,11 +5,11 @@
 
 #include <bit>
 #include <random>
-#include <regex>
 
 #include "import/parameters.h"
 #include "language/common/parse_expression.h"
 #include "language/kinematics/keywords.h"
+#include "patterns.h"
 
 namespace robcogen::expression_test {
 namespace {
@@ -61,8 +61,7 @@ TEST(ExportedExpression, SpellsNumbersAsAuthorsDo) {
 
 // True for numbers as the first release of the language spells them: `FLOAT`, `FLOAT PI`, `PI`, `PI/FLOAT`.
 bool is_original(const std::string& text) {
-  static const std::regex grammar(R"(-?\d+\.\d+( PI)?|-?PI(/\d+\.\d+)?)");
-  return std::regex_match(text, grammar);
+  return test::whole_match(text, R"(-?\d+\.\d+( PI)?|-?PI(/\d+\.\d+)?)").has_value();
 }
 
 bool is_decimal(const Number& n) {

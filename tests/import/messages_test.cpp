@@ -1,6 +1,7 @@
 // Every message of the URDF import, as a user sees it: bad/<name>.urdf must produce exactly the messages in its file.
 // Words in the name set options: `-snap`, `-free-mimic`, `-floating-base`, `-allow-implausible`, `-checked`.
 #include "import/urdf/document.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::messages_test {
@@ -37,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), 
 
 // Codes are the string literals in kebab case and all literals passed to error(), warning() or note().
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"), reported(R"re((?:error|warning|note)\(\s*"([^"]+)")re");
+  const std::string kebab = R"re("([a-z]+(?:-[a-z]+)+)")re", reported = R"re((?:error|warning|note)\(\s*"([^"]+)")re";
   std::set<std::string> codes;
   for (const char* folder_of_reader : {"tool/import/urdf", "tool/import/xml"}) {
     for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / folder_of_reader, {".cpp"})) {

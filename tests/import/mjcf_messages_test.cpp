@@ -1,6 +1,7 @@
 // Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly the messages in its
 // file. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
 #include "import/mjcf.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::mjcf_messages_test {
@@ -32,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Bad, MjcfMessages, testing::ValuesIn(test::files(folder
 
 // Codes are the string literals in kebab case.
 TEST(MjcfMessages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re");
+  const std::string kebab = R"re("([a-z]+(?:-[a-z]+)+)")re";
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/mjcf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));

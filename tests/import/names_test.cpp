@@ -9,6 +9,7 @@
 #include "import/mjcf/elements.h"
 #include "import/urdf/elements.h"
 #include "language/kinematics/document.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::names_test {
@@ -53,12 +54,13 @@ struct Model {
   std::map<std::string, std::string> attributes;  // by element, before a line changes them
 
   std::string with(const std::string& element, const std::string& item) const {
-    static const std::regex mark("([@%])([a-z_/]+)[@%]");
     std::string result;
     bool is_found = false;
-    auto at = text.cbegin();
-    for (std::smatch match; std::regex_search(at, text.cend(), match, mark); at = match.suffix().first) {
-      result += match.prefix();
+    std::size_t at = 0;
+    for (const test::Match& match : test::all_matches(text, "([@%])([a-z_/]+)[@%]")) {
+      const std::size_t begin = text.find(match[0], at);
+      result += text.substr(at, begin - at);
+      at = begin + match[0].size();
       const bool is_attribute = match[1] == "@", is_here = match[2] == element && (item[0] == '/') != is_attribute;
       is_found = is_found || is_here;
       if (is_attribute) {
@@ -69,14 +71,14 @@ struct Model {
         result += child_of(item);
       }
     }
-    result += std::string(at, text.cend());
+    result += text.substr(at);
     EXPECT_TRUE(is_found || element.empty()) << element;
     return result;
   }
 
   static std::string replaced(const std::string& attributes, const std::string& item) {
-    const std::regex same("(^| )" + item.substr(0, item.find('=')) + "='[^']*'");
-    return std::regex_replace(attributes, same, "") + " " + item;
+    const std::string same = "(^| )" + item.substr(0, item.find('=')) + "='[^']*'";
+    return test::replaced(attributes, same, "") + " " + item;
   }
 };
 

@@ -1,6 +1,7 @@
 // Every message of the SDF import, as a user sees it: sdf_bad/<name>.sdf must produce exactly the messages in its file.
 // `-free-mimic` in the name sets that option, `-snap` another, and `-robot-x` at its end chooses robot x.
 #include "import/sdf.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::sdf_messages_test {
@@ -33,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(Bad, SdfMessages, testing::ValuesIn(test::files(folder(
 
 // Codes are the string literals in kebab case.
 TEST(SdfMessages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re");
+  const std::string kebab = R"re("([a-z]+(?:-[a-z]+)+)")re";
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool/import/sdf", {".cpp"}))
     codes.merge(test::matches(test::contents(file), kebab));

@@ -2,9 +2,9 @@
 // at the known place.
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <set>
 
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::corpus_test {
@@ -127,13 +127,12 @@ TEST_F(CorpusText, OfDesiredTransformsIsReadAndSurvivesPrinting) {
 
 // The text without its comments, which a pattern finds without the lexer.
 std::string without_comments(const path& file) {
-  return std::regex_replace(test::contents(file), std::regex(R"re(/\*([^*]|\*[^/])*\*/|//[^\n]*)re"), " ");
+  return test::replaced(test::contents(file), R"re(/\*([^*]|\*[^/])*\*/|//[^\n]*)re", " ");
 }
 
 std::vector<std::string> found(const std::string& text, const std::string& pattern) {
   std::vector<std::string> result;
-  const std::regex regex(pattern);
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) result.push_back((*it)[1]);
+  for (const test::Match& match : test::all_matches(text, pattern)) result.push_back(match[1]);
   return result;
 }
 

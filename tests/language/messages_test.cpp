@@ -1,6 +1,7 @@
 // Every message of the parsers, as a user sees it: each document in bad/ (.kindsl, .dtdsl, .motdsl or .ctdsl) must
 // produce exactly the messages in its file. not-original.kindsl is read as by `print --original`.
 #include "language/kinematics/original.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::messages_test {
@@ -42,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), 
 
 // A code is the first literal passed to error(), error_at() or warning_at(), possibly after a span.
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex reported(R"re((?:error|error_at|warning_at)\(\s*(?:[^";]*,\s*)?"([a-z0-9]+(?:-[a-z0-9]+)*)",)re");
+  const std::string reported = R"re((?:error|error_at|warning_at)\(\s*(?:[^";]*,\s*)?"([a-z0-9]+(?:-[a-z0-9]+)*)",)re";
   std::set<std::string> codes;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(path(ROBCOGEN_SOURCE_DIR) / "tool" / "language")) {

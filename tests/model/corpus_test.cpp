@@ -4,9 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <set>
 
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::corpus_test {
@@ -86,13 +86,12 @@ TEST_F(Corpus, RefusesWhatIsMalformedForItsReason) {
 // The elements are counted in the text, without a parser.
 TEST_F(Corpus, HasAsManyElementsAsTheTextDeclares) {
   const auto count = [](const std::string& text, const std::string& pattern) {
-    const std::regex regex(pattern);
-    return std::distance(std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator());
+    return static_cast<long>(test::all_matches(text, pattern).size());
   };
   for (const auto& [name, tree] : robots()) {
     SCOPED_TRACE(name);
     std::string text = test::contents(path(ROBCOGEN_CORPUS_DIR) / (name + ".kindsl"));
-    text = std::regex_replace(text, std::regex(R"re(/\*([^*]|\*[^/])*\*/|//[^\n]*)re"), " ");
+    text = test::replaced(text, R"re(/\*([^*]|\*[^/])*\*/|//[^\n]*)re", " ");
     EXPECT_EQ(static_cast<long>(tree.joints.size()), count(text, R"re(\b[rp]_joint\s)re"));
     EXPECT_EQ(static_cast<long>(tree.links.size()) - 1, count(text, R"re(\blink\s+\w+\s*\{)re"));
     EXPECT_EQ(tree.floating_base, count(text, R"re(\bfloating\b)re") == 1);

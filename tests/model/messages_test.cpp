@@ -1,6 +1,7 @@
 // Every message of the model and of the import, as a user sees it: each document in bad/ (.kindsl, .motdsl or .ctdsl),
 // with the list of desired transforms in the same file, if any, must produce exactly the messages in that file.
 #include "import/frames.h"
+#include "patterns.h"
 #include "reading.h"
 
 namespace robcogen::messages_test {
@@ -67,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), 
 
 // Codes are the string literals in kebab case and all literals passed to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex kebab(R"re("([a-z]+(?:-[a-z]+)+)")re"),
-      reported(R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re");
+  const std::string kebab = R"re("([a-z]+(?:-[a-z]+)+)")re",
+                    reported = R"re((?:error|warning|note)\(\s*"([a-z]+(?:-[a-z]+)*)")re";
   std::set<std::string> codes;
   for (const char* phase : {"model", "import"}) {
     for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool" / phase, {".cpp", ".h"})) {

@@ -3,6 +3,7 @@
 #include "../golden_messages.h"
 #include "import/kinematics.h"
 #include "import/parts.h"
+#include "patterns.h"
 
 namespace robcogen::messages_test {
 namespace {
@@ -36,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Bad, Messages, testing::ValuesIn(test::files(folder(), 
 
 // A code is the first literal that is given to error() or warning().
 TEST(Messages, OfEveryCodeHaveADocument) {
-  const std::regex reported(R"re((?:error|warning)\(\s*"([a-z]+(?:-[a-z]+)*)")re");
+  const std::string reported = R"re((?:error|warning)\(\s*"([a-z]+(?:-[a-z]+)*)")re";
   std::set<std::string> codes;
   for (const path& file : test::files(path(ROBCOGEN_SOURCE_DIR) / "tool" / "import" / "parts", {".cpp", ".h"}))
     codes.merge(test::matches(test::contents(file), reported));

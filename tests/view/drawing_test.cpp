@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <set>
 
+#include "patterns.h"
 #include "robots.h"
 #include "symbolic/interpret.h"
 #include "view/canvas.h"
@@ -26,20 +26,13 @@ std::string drawn(const std::string& name, bool with_pattern) {
       {.pattern = with_pattern ? &pattern : nullptr});
 }
 
-std::vector<std::smatch> matches(const std::string& text, const std::string& pattern) {
-  const std::regex expression(pattern);
-  std::vector<std::smatch> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) result.push_back(*it);
-  return result;
-}
-
 class Drawing : public testing::TestWithParam<std::string> {};
 
 TEST_P(Drawing, IsWellFormedAndTheSameTwice) {
   const std::string text = drawn(GetParam(), true);
   EXPECT_EQ(text, drawn(GetParam(), true));
   std::vector<std::string> open;
-  for (const std::smatch& tag : matches(text, "<(/?)([a-z]+)([^<>]*?)(/?)>")) {
+  for (const Match& tag : all_matches(text, "<(/?)([a-z]+)([^<>]*?)(/?)>")) {
     if (tag[1] == "/") {
       ASSERT_FALSE(open.empty());
       EXPECT_EQ(open.back(), tag[2]);
@@ -56,7 +49,7 @@ TEST_P(Drawing, IsWellFormedAndTheSameTwice) {
 TEST_P(Drawing, StaysOnThePaper) {
   const std::string text = drawn(GetParam(), false);
   int count = 0;
-  for (const std::smatch& number : matches(text, " (?:[xc]?[xy][12]?)=\"(-?[0-9.]+)\"")) {
+  for (const Match& number : all_matches(text, " (?:[xc]?[xy][12]?)=\"(-?[0-9.]+)\"")) {
     EXPECT_GE(std::stod(number[1]), 0);
     EXPECT_LE(std::stod(number[1]), 720);
     ++count;
@@ -68,12 +61,12 @@ TEST_P(Drawing, StaysOnThePaper) {
 TEST_P(Drawing, HasEveryJointAndMass) {
   const view::ViewedRobot robot = view::viewed(load_robot(GetParam()), view::Purpose::drawing);
   const std::string text = drawn(GetParam(), false);
-  const auto hubs = matches(text, "<circle [^>]*class=\"(hub|sledge|ball)\"");
+  const auto hubs = all_matches(text, "<circle [^>]*class=\"(hub|sledge|ball)\"");
   EXPECT_EQ(hubs.size(), robot.library.tree.joints.size() - 2 * robot.library.tree.spherical_joints().size());
-  EXPECT_EQ(matches(text, "class=\"ball\"").size(), robot.library.tree.spherical_joints().size());
+  EXPECT_EQ(all_matches(text, "class=\"ball\"").size(), robot.library.tree.spherical_joints().size());
   const view::Posture posture = view::posture(robot, some_positions(robot), declared_parameters(robot));
   const auto masses = std::count_if(posture.masses.begin(), posture.masses.end(), [](double m) { return m > 0; });
-  EXPECT_EQ(matches(text, "<g transform").size(), static_cast<std::size_t>(masses + 1));
+  EXPECT_EQ(all_matches(text, "<g transform").size(), static_cast<std::size_t>(masses + 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -94,7 +87,7 @@ double luminance(int r, int g, int b) {
 TEST(DrawingColours, StandOutFromWhiteAndFromBlack) {
   constexpr double kContrast = 3;
   int count = 0;
-  for (const std::smatch& colour : matches(drawn("hyl", true), "#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})")) {
+  for (const Match& colour : all_matches(drawn("hyl", true), "#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})")) {
     const auto part = [&](std::size_t k) { return std::stoi(colour[k], nullptr, 16); };
     const double own = luminance(part(1), part(2), part(3));
     EXPECT_GE(1.05 / (own + 0.05), 0.9 * kContrast) << colour[0];
@@ -136,11 +129,11 @@ TEST(DrawingLabels, HideNoOther) {
   canvas.line({0, 0, 0}, {0, 1, 1}, "");
   for (int k = 0; k < 40; ++k) canvas.label({0, 0.5, 0.5 + 0.001 * k}, "a name of some length", "");
   const std::string text = canvas.elements(0, 0, 400);
-  const auto labels = matches(text, "<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"([a-z]+)\"");
+  const auto labels = all_matches(text, "<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"([a-z]+)\"");
   EXPECT_GE(labels.size(), 6U);
   EXPECT_LT(labels.size(), 40U);
   std::set<std::string> places;
-  for (const std::smatch& label : labels) EXPECT_TRUE(places.insert(label[0]).second);
+  for (const Match& label : labels) EXPECT_TRUE(places.insert(label[0]).second);
 }
 
 // tool/view/README.md shows this drawing. If ROBCOGEN_UPDATE_DOCUMENTS is set in the environment, it is written again.

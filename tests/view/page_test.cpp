@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <regex>
 
+#include "patterns.h"
 #include "robots.h"
 #include "view/page_files.h"
 
@@ -53,8 +53,7 @@ TEST(Page, KeepsNamesAsTheyAre) {
   tree.name = name;
   tree.links[1].name = name;
   const Page page = page_of(model);
-  const std::regex element("</script>");
-  EXPECT_EQ(std::distance(std::sregex_iterator(page.text.begin(), page.text.end(), element), {}), 2);
+  EXPECT_EQ(all_matches(page.text, "</script>").size(), 2U);
   EXPECT_EQ(page.text.find("<!--"), std::string::npos);
   EXPECT_NE(page.text.find("<title>&lt;/script&gt;&lt;!--&lt;b&gt;&quot;'&amp;</title>"), std::string::npos);
 }
@@ -83,7 +82,7 @@ TEST(Page, ShowsWarningsAtTheirLinks) {
   EXPECT_EQ(warnings[0]["hint"], "weigh it");
   EXPECT_EQ(warnings[1]["link"], tree.joints[static_cast<std::size_t>(*tree.find_joint("HFE"))].child);
   EXPECT_EQ(warnings[2]["link"], 1);
-  EXPECT_TRUE(std::regex_match(warnings[2]["where"].get<std::string>(), std::regex("hyl.kindsl:\\d+:\\d+")));
+  EXPECT_TRUE(whole_match(warnings[2]["where"].get<std::string>(), "hyl.kindsl:\\d+:\\d+"));
   EXPECT_EQ(warnings[3]["link"], -1);
 }
 

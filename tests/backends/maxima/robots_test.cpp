@@ -1,10 +1,10 @@
 // The text of every robot, and of transforms without a robot, run by Maxima on numbers.
 #include <fmt/format.h>
 
-#include <regex>
 #include <set>
 
 #include "maxima.h"
+#include "patterns.h"
 
 namespace robcogen::test::robots_test {
 namespace {
@@ -183,10 +183,9 @@ TEST_F(MaximaRobot, NamesNoVariableOfTheSystem) {
   std::set<std::string> names;
   for (const std::string& robot : kRobots) {
     const std::string text = maxima_text(library_of(document(robot), robot)).text;
-    const std::regex definition("\n  (\\w+): |[(] ?(\\w+)(?:, (\\w+))*[)] := ");
-    for (std::sregex_iterator it(text.begin(), text.end(), definition), end; it != end; ++it)
-      for (std::size_t group = 1; group < it->size(); ++group)
-        if ((*it)[group].matched) names.insert((*it)[group]);
+    for (const Match& definition : all_matches(text, "\n  (\\w+): |[(] ?(\\w+)(?:, (\\w+))*[)] := "))
+      for (std::size_t group = 1; group < definition.size(); ++group)
+        if (!definition[group].empty()) names.insert(definition[group]);
   }
   ASSERT_GT(names.size(), 100U);
   ASSERT_EQ(names.count("tau") + names.count("q") + names.count("s_HFE"), 3U);

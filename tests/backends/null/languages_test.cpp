@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <set>
 
 #include "../../codegen/samples.h"
+#include "patterns.h"
 
 namespace robcogen::backend::languages_test {
 namespace {
@@ -23,10 +23,8 @@ class Languages : public testing::TestWithParam<std::string> {
 TEST_P(Languages, PrintEveryFunction) {
   for (const Library& library : {test::cart_pole(), test::hopper(), test::plinth()}) {
     std::set<std::string> words;
-    const std::regex word("\\w+");
     for (const OutputFile& file : print(library))
-      for (std::sregex_iterator it(file.text.begin(), file.text.end(), word), end; it != end; ++it)
-        words.insert(it->str());
+      for (const robcogen::test::Match& word : robcogen::test::all_matches(file.text, "\\w+")) words.insert(word[0]);
     ASSERT_FALSE(library.functions.empty());
     for (const Function& f : library.functions)
       EXPECT_TRUE(

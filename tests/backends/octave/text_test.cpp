@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "patterns.h"
 
 namespace robcogen::octave {
 namespace {
@@ -144,19 +145,17 @@ TEST(Text, LinesAreShortAndEndInNoBlank) {
 
 // The function may be followed only by the local functions that solve for columns in a loop.
 TEST(Text, AFileIsOneFunctionOfItsName) {
-  const std::regex local(R"(function (?:\w+|\[[\w, ]+\]) = (?:right_sides|solution)\([\w, ]*\))");
+  const std::string local = R"(function (?:\w+|\[[\w, ]+\]) = (?:right_sides|solution)\([\w, ]*\))";
   for (const File& file : files()) {
     if (is_script(file)) continue;
     const std::vector<std::string>& statements = file.code;
     ASSERT_GE(statements.size(), 3u) << file.path;
-    std::smatch match;
-    ASSERT_TRUE(
-        std::regex_match(statements.front(), match, std::regex(R"(function (?:\w+|\[[\w, ]+\]) = (\w+)\([\w, ]*\))")))
-        << file.path << ": " << statements.front();
-    EXPECT_EQ(match[1], file.path.stem().string()) << file.path;
+    const auto head = test::whole_match(statements.front(), R"(function (?:\w+|\[[\w, ]+\]) = (\w+)\([\w, ]*\))");
+    ASSERT_TRUE(head) << file.path << ": " << statements.front();
+    EXPECT_EQ((*head)[1], file.path.stem().string()) << file.path;
     EXPECT_EQ(file.lines.back(), "end") << file.path;
     for (std::size_t i = 1; i < statements.size(); ++i)
-      EXPECT_TRUE(!statements[i].starts_with("function") || std::regex_match(statements[i], local))
+      EXPECT_TRUE(!statements[i].starts_with("function") || test::whole_match(statements[i], local))
           << file.path << ": " << statements[i];
   }
 }

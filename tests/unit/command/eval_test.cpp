@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
 
+#include "patterns.h"
 #include "run_tool.h"
 
 namespace robcogen::test::eval_test {
@@ -272,14 +272,12 @@ json state_of(const std::string& message) {
   json state = json::object();
   std::istringstream lines(message);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch parts;
-    const std::regex vector("  (\\w+): array of (\\d+) numbers?.*"), square("  (\\w+): array of (\\d+) rows? of .*");
     if (line.find("; optional") != std::string::npos) continue;
-    if (std::regex_match(line, parts, square)) {
-      const std::size_t n = std::stoul(parts[2]);
-      state[parts[1]] = std::vector<std::vector<double>>(n, std::vector<double>(n, 1.0));
-    } else if (std::regex_match(line, parts, vector)) {
-      state[parts[1]] = std::vector<double>(std::stoul(parts[2]), 0.5);
+    if (const auto square = whole_match(line, "  (\\w+): array of (\\d+) rows? of .*")) {
+      const std::size_t n = std::stoul((*square)[2]);
+      state[(*square)[1]] = std::vector<std::vector<double>>(n, std::vector<double>(n, 1.0));
+    } else if (const auto vector = whole_match(line, "  (\\w+): array of (\\d+) numbers?.*")) {
+      state[(*vector)[1]] = std::vector<double>(std::stoul((*vector)[2]), 0.5);
     } else if (line.find("  variables: ") == 0) {
       std::istringstream names(line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1));
       for (std::string name; std::getline(names >> std::ws, name, ',');) state["variables"][name] = 0.5;
@@ -339,7 +337,7 @@ TEST_F(Eval, VelocitiesAndAccelerationsAgreeWithJacobians) {
 
 // The same rod on a spherical joint, whose frame has the hinge's orientation.
 TEST_F(Eval, QuaternionsOfSphericalJoints) {
-  write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
+  write_text(model_, replaced(kPendulum, "r_joint", "s_joint"));
   // Turned by a about z, the joint takes the hinge's moment at this angle about z; its moments about x and y are zero.
   const double a = 0.3;
   json state = {{"q", {std::cos(a / 2), 0, 0, std::sin(a / 2)}}, {"qd", {0, 0, 7}}, {"qdd", {0, 0, 1.5}}};
@@ -363,7 +361,7 @@ TEST_F(Eval, QuaternionsOfSphericalJoints) {
 }
 
 TEST_F(Eval, PrimitivesHaveNoRotationsByQuaternions) {
-  write_text(model_, std::regex_replace(kPendulum, std::regex("r_joint"), "s_joint"));
+  write_text(model_, replaced(kPendulum, "r_joint", "s_joint"));
   const Outcome refused = run_tool(
       "generate " + quoted(model_) + " -o " + quoted(scratch_.path / "out") +
           " --name p --language matlab --primitives left",

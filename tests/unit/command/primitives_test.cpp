@@ -1,8 +1,7 @@
 // The option --primitives: transforms as products of the user's own matrices.
 #include <gtest/gtest.h>
 
-#include <regex>
-
+#include "patterns.h"
 #include "run_tool.h"
 
 namespace robcogen::test::primitives_test {
@@ -17,7 +16,7 @@ std::string product(const Scratch& scratch, const std::string& convention, const
   EXPECT_EQ(run.status, 0) << run.errors;
   // Removes line breaks, which depend on the length of names.
   const std::string text = read_text(scratch.path / "matlab" / "+hyl" / "+transforms" / "+product" / (name + ".m"));
-  return std::regex_replace(text, std::regex(R"(( \.\.\.)?\n *%? *)"), " ");
+  return replaced(text, R"(( \.\.\.)?\n *%? *)", " ");
 }
 
 // The HyL of Fig. 9 of the paper: a slider; the hip is offset by 0.13 m and -0.08 m and turned by -PI/2 about x and

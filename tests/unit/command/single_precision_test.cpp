@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <regex>
 #include <sstream>
 
+#include "patterns.h"
 #include "run_tool.h"
 
 namespace robcogen::test::single_precision_test {
@@ -16,14 +16,13 @@ using Lines = std::map<std::string, std::string>;
 
 // The first line that refers to single precision, comments excluded, of each file that has one.
 Lines single_precision(const fs::path& folder) {
-  static const std::regex single(R"(\b(float|f32)\b)");
   Lines result;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     std::istringstream lines(read_text(entry.path()));
     for (std::string line; std::getline(lines, line);) {
       if (line.find("float") == std::string::npos && line.find("f32") == std::string::npos) continue;
-      if (std::regex_search(line.substr(0, line.find("//")), single))
+      if (first_match(line.substr(0, line.find("//")), R"(\b(float|f32)\b)"))
         result.emplace(entry.path().lexically_relative(folder).string(), line);
     }
   }

@@ -60,10 +60,14 @@ std::string solve_columns(const Callable& callable) {
   const std::vector<std::string> results(
       arguments.end() - static_cast<std::ptrdiff_t>(outputs.size()), arguments.end());
   arguments.push_back(factor);
-  return "  Scalar " + factor + "[" + size + "];\n" + call(solved.right_sides.name, arguments, 2) +
-         declaration("  const auto solve = []", {"const auto* f", "const auto* b", "auto* x"}, " noexcept {") + "    " +
-         solved.solution.name + "(f, b, x);\n  };\n" + "  const robcogen::ColumnSolver<" + rows + ", " + size +
-         ", Scalar> solver(" + factor + ");\n" + print_solutions_of_blocks(solved, results) +
+  const std::string head =
+      declaration("  const auto solve = []", {"const auto* f", "const auto* b", "auto* x"}, " noexcept {");
+  const std::string body = solved.solution.name + "(f, b, x);",
+                    line = head.substr(0, head.size() - 1) + " " + body + " };\n";
+  const std::string solve = line.size() <= kColumns + 1 ? line : head + "    " + body + "\n  };\n";
+  return "  Scalar " + factor + "[" + size + "];\n" + call(solved.right_sides.name, arguments, 2) + solve +
+         "  const robcogen::ColumnSolver<" + rows + ", " + size + ", Scalar> solver(" + factor + ");\n" +
+         print_solutions_of_blocks(solved, results) +
          (is_symmetric(callable) ? "  robcogen::mirror_lower<" + rows + ">(" + results.front() + ");\n" : "");
 }
 
