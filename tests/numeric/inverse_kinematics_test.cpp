@@ -259,30 +259,6 @@ TEST(InverseKinematics, LengthsAreParameters) {
   }
 }
 
-// How far the last frame is from what turns depends on joints that slide, which the misfit knows.
-TEST(InverseKinematics, FarSlides) {
-  const Placed tool = {'r', 0.1, 0.1, 0.1, 0, 0, 0}, first = {'r', 0, 0, 0.3, 0, 0, 0},
-               second = {'r', 0, 0, 0, 1, 0, 0}, third = {'r', 0, 0, 0, -1, 0, 0}, slide = {'p', 0, 0, 0, 1, 0, 0},
-               across = {'p', 0, 0, 0, 0, 1, 0};
-  for (const Chain& chain :
-       {Chain{"RRRP", {first, second, third, slide}, tool}, Chain{"RRP", {first, second, slide}, tool},
-        Chain{"RRPP", {first, second, across, slide}, tool}, Chain{"RPP", {first, across, slide}, tool}}) {
-    SCOPED_TRACE(chain.name);
-    const Inverted inverted = inverted_chain(chain);
-    ASSERT_GT(inverted.size().branches, 0);
-    Dice dice(11);
-    for (int i = 0; i < poses(); ++i) {
-      Values q = random_positions(inverted, dice, false);
-      for (int k = 0; k < inverted.dof(); ++k)
-        if (inverted.slides(k)) q[static_cast<std::size_t>(k)] *= 40;
-      Matrix<double> target = inverted.pose(q);
-      for (int row = 0; row < 3; ++row) target(row, 3) += dice.between(-1.0, 1.0);
-      for (const Inverted::Branch& branch : inverted.branches(target, q))
-        EXPECT_LT(inverted.error(branch.q, target), branch.misfit + 100 * kRounding);
-    }
-  }
-}
-
 // ---- All solutions, by brute force: damped steps from random positions.
 
 std::vector<Values> solutions(
