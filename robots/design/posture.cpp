@@ -7,13 +7,12 @@ namespace design {
 namespace {
 
 namespace homogeneous = quadruped::transforms::homogeneous;
+namespace ik = quadruped::inverse_kinematics;
 using quadruped::Twist;
 using ByJoints = Eigen::Matrix<double, 12, 12>;
 using ByParameters = Eigen::Matrix<double, 12, kParameters>;
 
-constexpr double kClose = 1e-13;  // m, from the given position of a foot
-constexpr int kMaxSteps = 50;
-constexpr double kMaxStep = 0.3;  // rad: no step leads across a stretched leg
+constexpr double kClose = 1e-9;  // m, from the given position of a foot: closer than this but for rounding
 
 ByJoints feet_jacobian(const Parameters& parameters, const JointState& q) {
   return contact_jacobian(parameters, q).rightCols<12>();
@@ -57,15 +56,23 @@ JointState bent_knees() {
   return q;
 }
 
-JointState posture(const Parameters& parameters, const Feet& feet, const JointState& guess) {
-  JointState q = guess;
-  for (int i = 0; i < kMaxSteps; ++i) {
-    const Feet error = feet - feet_positions(parameters, q);
-    if (error.cwiseAbs().maxCoeff() < kClose) return q;
-    const JointState step = feet_jacobian(parameters, q).partialPivLu().solve(error);
-    q += step * std::min(1.0, kMaxStep / step.cwiseAbs().maxCoeff());
-  }
-  throw std::domain_error("the legs do not reach where their feet shall be");
+JointState posture(const Parameters& parameters, const Feet& feet, const JointState& like) {
+  JointState q = like;
+  const auto take = [&](const auto& leg) {
+    if (!(leg.misfit[0] < kClose)) throw std::domain_error("the legs do not reach where their feet shall be");
+    q = leg.q;
+  };
+  const auto foot = [&](int number) { return Eigen::Vector3d(feet.segment<3>(3 * number)); };
+  namespace configuration = ik::configuration;
+  take(ik::branch::fr_trunk_X_fr_LF_foot(
+      parameters, foot(0), configuration::fr_trunk_X_fr_LF_foot(parameters, like), q));
+  take(ik::branch::fr_trunk_X_fr_RF_foot(
+      parameters, foot(1), configuration::fr_trunk_X_fr_RF_foot(parameters, like), q));
+  take(ik::branch::fr_trunk_X_fr_LH_foot(
+      parameters, foot(2), configuration::fr_trunk_X_fr_LH_foot(parameters, like), q));
+  take(ik::branch::fr_trunk_X_fr_RH_foot(
+      parameters, foot(3), configuration::fr_trunk_X_fr_RH_foot(parameters, like), q));
+  return q;
 }
 
 Motion motion(
@@ -73,9 +80,9 @@ Motion motion(
     const Feet& positions,
     const Feet& velocities,
     const Feet& accelerations,
-    const JointState& guess) {
+    const JointState& like) {
   Motion result;
-  result.q = posture(parameters, positions, guess);
+  result.q = posture(parameters, positions, like);
   const Eigen::PartialPivLU<ByJoints> J(feet_jacobian(parameters, result.q));
   result.qd = J.solve(velocities);
   result.qdd = J.solve(accelerations - contact_bias(parameters, result.q, result.qd, Twist()));

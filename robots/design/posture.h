@@ -32,9 +32,9 @@ Feet feet_positions(const Parameters& parameters, const JointState& q);
 // Front and hind knees point inwards.
 JointState bent_knees();
 
-// Joint positions (rad) with the feet at the given positions, by Newton's method from a guess. Throws std::domain_error
-// if the legs do not reach.
-JointState posture(const Parameters& parameters, const Feet& feet, const JointState& guess);
+// Joint positions (rad) with the feet at the given positions, and hips and knees bent to the same sides as in `like`.
+// Throws std::domain_error if the legs do not reach.
+JointState posture(const Parameters& parameters, const Feet& feet, const JointState& like);
 
 struct Motion {
   JointState q, qd, qdd;
@@ -46,7 +46,7 @@ Motion motion(
     const Feet& positions,
     const Feet& velocities,
     const Feet& accelerations,
-    const JointState& guess);
+    const JointState& like);
 
 // Columns in the order of kParameterNames.
 struct MotionDerivatives {

@@ -81,11 +81,9 @@ bool is_driven(int joint) {
 // Calls visit(motion, feet) in every instant of a step.
 template <class Visit>
 void step(const Parameters& parameters, const Trot& trot, const Visit& visit) {
-  JointState guess = bent_knees();
   for (int i = 0; i < kInstants; ++i) {
     const FeetMotion feet = trotting_feet(trot, (i + 0.5) / kInstants);
-    const Motion m = motion(parameters, feet.positions, feet.velocities, feet.accelerations, guess);
-    guess = m.q;
+    const Motion m = motion(parameters, feet.positions, feet.velocities, feet.accelerations, bent_knees());
     visit(m, feet);
   }
 }

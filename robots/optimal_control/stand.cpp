@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "posture.h"
+
 namespace optimal_control {
 namespace {
 
@@ -26,26 +28,6 @@ constexpr double kPositionWeight = 100, kVelocityWeight = 1, kTorqueWeight = 1e-
 // Feet that have slipped by rounding errors return within some 1/kHold seconds.
 constexpr double kHold = 50;
 constexpr int kStepsPerControl = 10;
-
-Vector12 feet(const JointState& q) {
-  namespace homogeneous = quadruped::transforms::homogeneous;
-  const auto place = [](const auto& X) { return X.template topRightCorner<3, 1>(); };
-  Vector12 result;
-  result << place(homogeneous::fr_trunk_X_fr_LF_foot(kHyq, q)), place(homogeneous::fr_trunk_X_fr_RF_foot(kHyq, q)),
-      place(homogeneous::fr_trunk_X_fr_LH_foot(kHyq, q)), place(homogeneous::fr_trunk_X_fr_RH_foot(kHyq, q));
-  return result;
-}
-
-// The posture with feet below the hips and knees inwards, by Newton's method on the positions of the feet.
-JointState posture(double height) {
-  JointState q;
-  q << 0, 0.7, -1.4, 0, 0.7, -1.4, 0, -0.7, 1.4, 0, -0.7, 1.4;
-  Vector12 wanted = feet(kStill);
-  for (int foot = 0; foot < 4; ++foot) wanted[3 * foot + 2] = -height;
-  for (int i = 0; i < 30; ++i) q += contact_jacobian(kHyq, q).rightCols<12>().partialPivLu().solve(wanted - feet(q));
-  if (!((wanted - feet(q)).norm() < 1e-9)) throw std::domain_error("the legs do not reach the ground");
-  return q;
-}
 
 // The forces on the base and in the joints that are needed in addition to the foot forces, for accelerations of both.
 Coordinates missing(const JointState& q, const Coordinates& a, const Vector12& forces, const Gravity& gravity) {
@@ -75,7 +57,7 @@ Vector12 as_state(const State& s, const Standing& about) {
 Standing standing(double height) {
   Standing s{};
   s.height = height;
-  s.q = posture(height);
+  s.q = design::posture(kHyq, design::feet_below_hips(-height), design::bent_knees());
   const auto held = constrained_inverse_dynamics(
       kHyq, s.q, kStill, kStill, Twist(), SpatialAcceleration(), Vector12::Ones(), Eigen::Matrix<double, 1, 1>::Zero(),
       kGravity);
@@ -148,7 +130,7 @@ std::vector<Instant> push(const Standing& s, const Matrix12& K, const Base& velo
   state.pose = robcogen::BasePose::from_rpy(0, 0, 0, Eigen::Vector3d(0, 0, s.height));
   state.base_velocity = Twist(velocity);
   state.qd = following(s.q).bottomRows<12>() * velocity;
-  Vector12 places = feet(s.q);
+  Vector12 places = design::feet_positions(kHyq, s.q);
   for (int foot = 0; foot < 4; ++foot) places[3 * foot + 2] = 0;  // in the world
 
   std::vector<Instant> instants;
@@ -157,7 +139,8 @@ std::vector<Instant> push(const Standing& s, const Matrix12& K, const Base& velo
   for (int i = 0; i <= steps; ++i) {
     const bool is_control = i % kStepsPerControl == 0;
     if (is_control) tau = s.tau + K * as_state(state, s);
-    const Vector12 now = feet(state.q), moving = contact_velocity(kHyq, state.q, state.qd, state.base_velocity);
+    const Vector12 now = design::feet_positions(kHyq, state.q),
+                   moving = contact_velocity(kHyq, state.q, state.qd, state.base_velocity);
     Vector12 hold = -2 * kHold * moving;
     for (int foot = 0; foot < 4; ++foot) {
       const Eigen::Vector3d place = state.pose.position() + state.pose.to_world_axes(now.segment<3>(3 * foot));

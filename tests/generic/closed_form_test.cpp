@@ -79,6 +79,27 @@ TEST(ClosedForm, TakesWholeTurns) {
   EXPECT_LT((nearest(q, far, limits).q - Joints::Constant(0.5 + 2 * kPi)).norm(), 1e-9);
 }
 
+// A joint at its limit, or that cannot move, is found there in spite of rounding, and not beyond.
+TEST(ClosedForm, JointsAtTheirLimits) {
+  std::mt19937_64 engine(24);
+  for (const double half : {0.0, 1e-3, 0.5, 1.5, 3.1415})
+    for (int i = 0; i < kTargets; ++i) {
+      const Joints q = uniform_joints<Joints>(engine, 3.1);
+      const auto joint = static_cast<std::size_t>(i % 6);
+      Limits limits;
+      limits[joint].lower = q[i % 6] - 2 * half;
+      limits[joint].upper = q[i % 6];
+      const auto best = nearest(q, q, limits);
+      ASSERT_GE(best.branch, 0) << half;
+      ASSERT_LT((best.q - q).cwiseAbs().maxCoeff(), 1e-7) << half;
+      ASSERT_TRUE(best.q[i % 6] >= limits[joint].lower && best.q[i % 6] <= limits[joint].upper) << half;
+    }
+  Limits empty;
+  empty[0].lower = 0.6;
+  empty[0].upper = 0.4;
+  EXPECT_EQ(nearest(Joints::Constant(0.5), Joints::Constant(0.5), empty).branch, -1);
+}
+
 TEST(ClosedForm, OutOfReachNoBranchExists) {
   Eigen::Matrix4d X = pose(Joints::Constant(0.5));
   X(0, 3) += 3;

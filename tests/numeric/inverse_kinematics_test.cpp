@@ -43,13 +43,23 @@ struct Chain {
   bool by_swivel = false;
 };
 
-std::string placement(const Placed& p) {
+// `parameters`: lengths other than zero are parameters, whose names begin with this, instead of constants, and the
+// first joint is canted.
+std::string placement(const Placed& p, const std::string& parameters) {
   const auto quarter = [](int turns) { return turns == 0 ? "0.0" : std::to_string(turns) + ".0 * PI / 2.0"; };
-  return "translation = (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
-         ") rotation = (" + quarter(p.turn_x) + ", " + quarter(p.turn_y) + ", " + quarter(p.turn_z) + ")";
+  const auto length = [&](const char* name, double value) {
+    const bool is_constant = parameters.empty() || value == 0.0;
+    return is_constant ? std::to_string(value) : parameters + name + "[" + std::to_string(value) + "]";
+  };
+  const std::string cant = parameters == "l1_" && p.turn_x == 0 ? "cant[0.3]" : quarter(p.turn_x);
+  return "translation = (" + length("x", p.x) + ", " + length("y", p.y) + ", " + length("z", p.z) + ") rotation = (" +
+         cant + ", " + quarter(p.turn_y) + ", " + quarter(p.turn_z) + ")";
 }
 
-KinematicTree tree_of(const Chain& chain) {
+KinematicTree tree_of(const Chain& chain, bool has_parameters = false) {
+  const auto named = [&](const std::string& name) { return has_parameters ? name : ""; };
+  // A length along the axis of a task is not known to be one.
+  const std::string tool = chain.kind == InverseTask::Kind::axis ? "" : named("tool_");
   std::string text = "Robot chain {\nRobotBase base { children { L1 via J1 } }\n";
   const std::size_t n = chain.joints.size();
   for (std::size_t k = 1; k <= n; ++k) {
@@ -57,12 +67,12 @@ KinematicTree tree_of(const Chain& chain) {
     text += "link L" + own + " { id = " + own + " children {";
     if (k < n) text += " L" + next + " via J" + next;
     text += " } ";
-    if (k == n) text += "frames { tool { " + placement(chain.tool) + " } }";
+    if (k == n) text += "frames { tool { " + placement(chain.tool, tool) + " } }";
     text += " }\n";
   }
   for (std::size_t k = 1; k <= n; ++k) {
     text += std::string(1, chain.joints[k - 1].type) + "_joint J" + std::to_string(k) + " { ref_frame { " +
-            placement(chain.joints[k - 1]) + " } }\n";
+            placement(chain.joints[k - 1], named("l" + std::to_string(k) + "_")) + " } }\n";
   }
   return tree_of_text(text + "}\n");
 }
@@ -121,8 +131,8 @@ std::vector<Chain> chains(std::uint64_t seed) {
   };
 }
 
-Inverted inverted_chain(const Chain& chain) {
-  KinematicTree tree = tree_of(chain);
+Inverted inverted_chain(const Chain& chain, bool has_parameters = false) {
+  KinematicTree tree = tree_of(chain, has_parameters);
   const model::FramePair frames = model::frame_pair(tree, "fr_base", "tool");
   return {std::move(tree), frames, {chain.kind, chain.given, chain.by_swivel}};
 }
@@ -220,6 +230,34 @@ TEST(InverseKinematics, SignsNameTheBranch) {
       EXPECT_LT(branch.misfit, kExists);
     }
   });
+}
+
+// Lengths that are parameters leave the classes as they are, wherever they are along an axis.
+TEST(InverseKinematics, LengthsAreParameters) {
+  for (const Chain& chain : chains(4)) {
+    if (chain.by_swivel) continue;
+    SCOPED_TRACE(chain.name);
+    const Inverted inverted = inverted_chain(chain, true);
+    ASSERT_EQ(inverted.size().branches, chain.branches);
+    ASSERT_EQ(inverted.size().joints, inverted.dof());
+    Dice dice(10);
+    for (int i = 0; i < 20; ++i) {
+      const Values q = random_positions(inverted, dice, false);
+      const Matrix<double> target = inverted.pose(q);
+      double nearest = 10.0;
+      for (const Inverted::Branch& branch : inverted.branches(target, q)) {
+        EXPECT_LT(inverted.error(branch.q, target), branch.misfit + kRounding);
+        if (branch.misfit > kExists) continue;
+        nearest = std::min(nearest, inverted.distance(branch.q, q));
+        if (inverted.has_determinant()) {
+          EXPECT_NEAR(std::abs(branch.determinant), std::abs(inverted.determinant(branch.q)), 1e-9);
+        }
+      }
+      EXPECT_LT(nearest, 1e-7);
+      const Inverted::Branch branch = inverted.branch(target, inverted.signs(q), q);
+      EXPECT_LT(inverted.distance(branch.q, q), 1e-6);
+    }
+  }
 }
 
 // ---- All solutions, by brute force: damped steps from random positions.

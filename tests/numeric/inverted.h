@@ -12,6 +12,7 @@
 
 #include "algorithm/kinematics/inverse_kinematics.h"
 #include "algorithm/kinematics/kinematics.h"
+#include "algorithm/spatial/trace.h"
 #include "dice.h"
 #include "linear_algebra.h"
 #include "reference_tables.h"
@@ -34,7 +35,8 @@ class Inverted {
  public:
   Inverted(KinematicTree tree, const model::FramePair& frames, const InverseTask& task)
       : tree_(std::move(tree)),
-        tables_(reference_tables(tree_)),
+        parameters_(algorithm::parameter_values(tree_)),
+        tables_(reference_tables(tree_, parameters_)),
         frames_(frames),
         task_(task),
         rows_(algorithm::chain_coordinates(tree_, frames)),
@@ -109,9 +111,7 @@ class Inverted {
     }
     return list;
   }
-  Values signs(const Values& q) const {
-    return symbolic::interpret(configuration_, symbolic::Arrays<double>{{"q", q}})["signs"];
-  }
+  Values signs(const Values& q) const { return symbolic::interpret(configuration_, at({{"q", q}}))["signs"]; }
   Branch branch(const Matrix<double>& target, const Values& signs, const Values& reference) const {
     auto found = symbolic::interpret(branch_, arguments(target, reference, {{"signs", signs}}));
     return {found["q"], found["misfit"][0], found["determinant"][0]};
@@ -128,12 +128,18 @@ class Inverted {
 
  private:
   KinematicTree tree_;
+  Values parameters_;
   reference::Tables tables_;
   model::FramePair frames_;
   InverseTask task_;
   std::vector<int> rows_;  // coordinates of the chain
   InverseKinematicsSize size_;
   symbolic::Program all_, branch_, configuration_, redundancy_;
+
+  symbolic::Arrays<double> at(symbolic::Arrays<double> arrays) const {
+    if (!parameters_.empty()) arrays["parameters"] = parameters_;
+    return arrays;
+  }
 
   // The swivel is that of the reference.
   symbolic::Arrays<double> arguments(
@@ -150,7 +156,7 @@ class Inverted {
       arrays["p"] = {X.begin() + 12, X.begin() + 15};
     else
       arrays["X"] = X;
-    return arrays;
+    return at(std::move(arrays));
   }
 };
 

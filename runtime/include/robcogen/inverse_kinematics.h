@@ -10,6 +10,7 @@
 // Nothing allocates.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,24 +42,38 @@ namespace inverse_kinematics_detail {
 template <class Scalar>
 inline constexpr Scalar kTurn = Scalar(6.283185307179586477);
 
+// A position that is beyond a limit by less (rad, m) is at the limit, but for rounding.
+template <class Scalar>
+inline constexpr Scalar kLimitRounding = Scalar(1e-9);
+template <>
+inline constexpr float kLimitRounding<float> = 1e-5F;
+
+template <class Scalar>
+Scalar clamped(Scalar x, const JointLimits& limits) noexcept {
+  return std::min(std::max(x, static_cast<Scalar>(limits.lower)), static_cast<Scalar>(limits.upper));
+}
+
 // The angle that differs from q by whole turns and is nearest to the reference, or the nearest of those within limits.
 template <class Scalar>
 Scalar turned_to(Scalar q, Scalar reference, const JointLimits& limits) noexcept {
-  constexpr Scalar turn = kTurn<Scalar>;
+  // Twice, so that no angle that was allowed is turned away by the rounding of these sums.
+  constexpr Scalar turn = kTurn<Scalar>, rounding = 2 * kLimitRounding<Scalar>;
   Scalar x = q + turn * std::round((reference - q) / turn);
-  const auto lower = static_cast<Scalar>(limits.lower), upper = static_cast<Scalar>(limits.upper);
+  const Scalar lower = static_cast<Scalar>(limits.lower) - rounding,
+               upper = static_cast<Scalar>(limits.upper) + rounding;
   if (x > upper) x -= turn * std::ceil((x - upper) / turn);
   if (x < lower) x += turn * std::ceil((lower - x) / turn);
-  return x;
+  return clamped(x, limits);
 }
 
-// What branches are compared with: an angle lies within limits, up to whole turns, if the cosine of its distance to the
-// middle is not below that of half the range. So the choice needs no arc tangent.
+// What branches are compared with: an angle lies within limits, up to whole turns, if its distance from the middle is
+// at most half the range. Their sines and cosines tell, so the choice needs no arc tangent.
 template <class Scalar, std::size_t kCount>
 struct Wanted {
   enum Angle { reference, middle, half };
   std::array<Scalar, 3 * kCount> angles{}, sines{}, cosines{};
   std::array<bool, kCount> is_limited{};
+  bool is_empty = false;  // no position is within the limits
 
   Scalar sine(Angle angle, std::size_t k) const { return sines[kCount * angle + k]; }
   Scalar cosine(Angle angle, std::size_t k) const { return cosines[kCount * angle + k]; }
@@ -66,6 +81,7 @@ struct Wanted {
   void set(std::size_t k, Scalar position, const JointLimits& limits) noexcept {
     const double range = limits.upper - limits.lower;
     angles[k] = position;
+    is_empty = is_empty || range < 0;
     is_limited[k] = range < kTurn<double>;
     angles[kCount + k] = is_limited[k] ? static_cast<Scalar>((limits.lower + limits.upper) / 2) : Scalar(0);
     angles[2 * kCount + k] = is_limited[k] ? static_cast<Scalar>(range / 2) : Scalar(0);
@@ -74,9 +90,11 @@ struct Wanted {
   void compute() noexcept { sincos_of<static_cast<int>(3 * kCount)>(angles.data(), sines.data(), cosines.data()); }
 
   bool allows(std::size_t k, Scalar s, Scalar c) const noexcept {
-    // A position at its limit may be beyond it by rounding.
-    constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
-    return !is_limited[k] || c * cosine(middle, k) + s * sine(middle, k) >= cosine(half, k) - rounding;
+    if (!is_limited[k]) return true;
+    const Scalar along = c * cosine(middle, k) + s * sine(middle, k);
+    const Scalar across = std::abs(s * cosine(middle, k) - c * sine(middle, k));
+    // The sine of how far the angle is beyond a limit, unless that is half a turn.
+    return across * cosine(half, k) - along * sine(half, k) <= kLimitRounding<Scalar> && along > cosine(half, k) - 1;
   }
 
   Scalar distance(std::size_t k, Scalar s, Scalar c) const noexcept {
@@ -120,7 +138,8 @@ auto branch_positions(const Branches& branches, const Joints& joints, const Type
   return q;
 }
 
-// The branch that exists, is within limits, and is nearest to the reference: the sum of 2 - 2 cos(q - reference) over
+// The branch that exists, is within limits (up to 1e-9 rad or m; 1e-5 in single precision), and is nearest to the
+// reference: the sum of 2 - 2 cos(q - reference) over
 // joints that turn, and of squared distances over those that slide, is least. Angles of the result are within limits,
 // and otherwise nearest to the reference, which may be several turns away from zero. Only its arc tangents are
 // computed.
@@ -152,13 +171,13 @@ NearestBranch<JointState> nearest_branch(
     if (best.branch < 0 && misfit < best.misfit) best.misfit = misfit;
     if (!(misfit <= largest_misfit)) continue;
     Scalar distance = 0;
-    bool is_allowed = true;
+    bool is_allowed = !wanted.is_empty;
     for (std::size_t k = 0; k < kCount && is_allowed; ++k) {
       const auto row = static_cast<int>(k);
       const Scalar s = branches.sin_q(row, branch), c = branches.cos_q(row, branch);
       if (slides(k)) {
         distance += (s - reference[joint_of(k)]) * (s - reference[joint_of(k)]);
-        is_allowed = s >= static_cast<Scalar>(limits_of(k).lower) && s <= static_cast<Scalar>(limits_of(k).upper);
+        is_allowed = std::abs(s - detail::clamped(s, limits_of(k))) <= detail::kLimitRounding<Scalar>;
       } else {
         distance += wanted.distance(k, s, c);
         is_allowed = wanted.allows(k, s, c);
@@ -171,8 +190,10 @@ NearestBranch<JointState> nearest_branch(
   }
   if (best.branch < 0) return best;
   best.q = branch_positions(branches, joints, types, best.branch, reference);
-  for (std::size_t k = 0; k < kCount; ++k)
-    if (!slides(k)) best.q[joint_of(k)] = detail::turned_to(best.q[joint_of(k)], reference[joint_of(k)], limits_of(k));
+  for (std::size_t k = 0; k < kCount; ++k) {
+    Scalar& q = best.q[joint_of(k)];
+    q = slides(k) ? detail::clamped(q, limits_of(k)) : detail::turned_to(q, reference[joint_of(k)], limits_of(k));
+  }
   return best;
 }
 

@@ -291,7 +291,7 @@ TEST_F(Load, InversesThatCannotBe) {
   EXPECT_FALSE(try_load("rods.kindsl", kRods, {.groups = {"inverse_kinematics"}}));
   EXPECT_EQ(codes(Severity::error), Codes{"no-inverses"});
   EXPECT_TRUE(try_load("rods.kindsl", kRods, {.groups = {"inverse_kinematics"}, .inverses = {"fr_base:fr_lower"}}));
-  // What has no closed form: no joint at all, a joint that is not between the frames, parameters.
+  // What has no closed form: no joint at all, a joint that is not between the frames.
   EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_base"}}));
   EXPECT_EQ(codes(Severity::error), Codes{"no-closed-form"});
   EXPECT_NE(
@@ -300,9 +300,12 @@ TEST_F(Load, InversesThatCannotBe) {
       << diagnostics.render();
   EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_upper:given=elbow"}}));
   EXPECT_NE(diagnostics.render().find("joint 'elbow' is not between these frames"), std::string::npos);
+  // Lengths may be parameters.
   const std::string with_length = replaced(kRods, "0.75, 0.0, 0.0) rot", "length, 0.0, 0.0) rot");
-  EXPECT_FALSE(try_load("rods.kindsl", with_length, {.inverses = {"fr_base:fr_lower"}}));
-  EXPECT_NE(diagnostics.render().find("the chain has parameters"), std::string::npos) << diagnostics.render();
+  EXPECT_TRUE(try_load("rods.kindsl", with_length, {.inverses = {"fr_base:fr_lower"}}));
+  EXPECT_FALSE(try_load("rods.kindsl", with_length, {.inverses = {"fr_base:fr_lower:swivel"}}));
+  EXPECT_NE(diagnostics.render().find("a swivel angle needs a chain without parameters"), std::string::npos)
+      << diagnostics.render();
 }
 
 TEST_F(Load, ParametersAreListedOnDemand) {

@@ -30,7 +30,10 @@ std::vector<std::string> sign_names(const inversion::Search& found) {
 class Inversion {
  public:
   Inversion(const model::KinematicTree& tree, const model::FramePair& frames, const InverseTask& task)
-      : trace(tree), found(inversion::search(tree, frames, task)), chain(found.chain) {}
+      : trace(tree), found(inversion::search(tree, frames, task)), chain(found.chain) {
+    for (const model::Quantity& amount : inversion::parametric_amounts(tree, frames))
+      amounts_.push_back(trace.lift(amount));
+  }
 
   Trace trace;
   const inversion::Search& found;
@@ -38,7 +41,7 @@ class Inversion {
   Expression swivel;
   std::vector<Expression> reference;  // by joint of the robot
   inversion::Target target;
-  inversion::JointValues given;
+  inversion::JointValues known;
 
   void target_input() {
     if (chain.task.kind == InverseTask::Kind::point) {
@@ -62,13 +65,14 @@ class Inversion {
 
   void reference_input() {
     reference = trace.joint_input("reference", Role::joint_reference);
-    given.resize(chain.axes.size());
-    if (chain.given >= 0) given[at(chain.given)] = value_of(chain.given, reference);
+    known.resize(chain.axes.size());
+    for (int k = 0; k < chain.joints; ++k)
+      if (chain.is_known(k)) known[at(k)] = value_of(k, reference);
   }
 
   // `q` by joint of the robot.
   JointValue value_of(int k, const std::vector<Expression>& q) {
-    const Expression& position = q[at(chain.axis(k).joint)];
+    const Expression position = position_of(k, q);
     if (!chain.axis(k).turns) return {position, trace.graph.one()};
     return {sin(position), cos(position)};
   }
@@ -83,7 +87,7 @@ class Inversion {
     if (found.swivel)
       return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
     inversion::StepSolver s = solver();
-    return inversion::branches(trace.graph, s, chain, found.plan->steps, given, signs);
+    return inversion::branches(trace.graph, s, chain, found.plan->steps, known, signs);
   }
 
   Expression misfit(const Branch& branch) {
@@ -111,9 +115,15 @@ class Inversion {
   }
 
  private:
+  std::vector<Expression> amounts_;  // that depend on parameters
+
+  Expression position_of(int k, const std::vector<Expression>& q) const {
+    return chain.is_parametric(k) ? amounts_[at(chain.axis(k).amount)] : q[at(chain.axis(k).joint)];
+  }
+
   std::vector<Expression> references() {
     std::vector<Expression> of_chain;
-    for (int k = 0; k < chain.joints; ++k) of_chain.push_back(reference[at(chain.axis(k).joint)]);
+    for (int k = 0; k < chain.joints; ++k) of_chain.push_back(position_of(k, reference));
     return of_chain;
   }
 
@@ -130,7 +140,8 @@ InverseKinematicsSize inverse_kinematics_size(
     const InverseTask& task) {
   if (!inversion::obstacle(tree, frames).empty()) return {};
   const inversion::Search& found = inversion::search(tree, frames, task);
-  const int joints = found.chain.joints;
+  int joints = 0;
+  for (int k = 0; k < found.chain.joints; ++k) joints += found.chain.is_parametric(k) ? 0 : 1;
   if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
   const std::optional<Plan>& plan = found.plan;
   if (!plan) return {};
@@ -152,14 +163,16 @@ Program inverse_kinematics(
   for (const Branch& branch : inversion.branches(nullptr)) {
     std::vector<Expression>&s = sines.emplace_back(), &c = cosines.emplace_back();
     for (int k = 0; k < inversion.chain.joints; ++k) {
+      if (inversion.chain.is_parametric(k)) continue;
       s.push_back(branch.values[at(k)]->sine);
       c.push_back(inversion.chain.axis(k).turns ? branch.values[at(k)]->cosine : Expression());
     }
     misfit.push_back(inversion.misfit(branch));
     determinant.push_back(inversion.determinant(branch));
   }
-  trace.output("sin_q", Role::matrix, inversion.chain.joints, sines);
-  trace.output("cos_q", Role::matrix, inversion.chain.joints, cosines);
+  const auto rows = static_cast<int>(sines.front().size());
+  trace.output("sin_q", Role::matrix, rows, sines);
+  trace.output("cos_q", Role::matrix, rows, cosines);
   trace.output("misfit", Role::residual, misfit);
   trace.output("determinant", Role::residual, determinant);
   return trace.program(name);
@@ -181,7 +194,7 @@ Program inverse_kinematics_branch(
   std::vector<Expression> q = inversion.reference;
   for (int k = 0; k < inversion.chain.joints; ++k) {
     const JointValue& value = *branch.values[at(k)];
-    if (k == inversion.chain.given) continue;
+    if (inversion.chain.is_known(k)) continue;
     q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
   }
   trace.output("q", Role::joint_position, trace.positions(q));
@@ -249,6 +262,7 @@ InverseKinematicsReport report_inverse_kinematics(
   if (!search.plan && !task.by_swivel && task.given < 0) {
     InverseTask other = task;
     for (int k = 0; k < search.chain.joints; ++k) {
+      if (search.chain.is_parametric(k)) continue;
       other.given = search.chain.axis(k).joint;
       if (inversion::search(tree, frames, other).plan) arguments.push_back("'given " + search.chain.axis(k).name + "'");
     }

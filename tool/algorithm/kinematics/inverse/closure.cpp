@@ -19,16 +19,13 @@ Expression square_of_difference(const TargetLoop& loop, const Closure::Item& ite
   return dot(difference, difference);
 }
 
-// The largest distance of the last frame from a point of a link. What slides counts as one metre.
+// The largest distance of the last frame from a point of a link, if no joint slides.
 double reach(const SerialChain& chain, const Feature& point) {
   double sum = 0.0;
   Numbers3 x = point.point;
   for (int k = point.end; k < chain.joints; ++k) {
     const ChainAxis& axis = chain.axis(k);
-    if (!axis.turns) {
-      sum += 1.0;
-      continue;
-    }
+    if (!axis.turns) continue;
     const Numbers3 foot = axis.point + dot(axis.direction, x - axis.point) * axis.direction;
     sum += norm(x - foot);
     x = foot;
@@ -112,14 +109,12 @@ class ClosureSearch {
         second = &b;
       }
     if (!point || !first) return {};
-    const double far = reach(chain_, point->item.feature);
-    return {
-        Closure{
-            {point->item},
-            {first->item, second->item},
-            std::sqrt(1.0 + far * far),
-            1.0 / angle_weight(*first, *second)},
-        point->cost + first->cost + second->cost};
+    const Feature& of_point = point->item.feature;
+    Closure closure{
+        {point->item}, {first->item, second->item}, reach(chain_, of_point), 1.0 / angle_weight(*first, *second)};
+    for (int k = of_point.end; k < chain_.joints; ++k)
+      if (!chain_.axis(k).turns) closure.slides.push_back(k);
+    return {closure, point->cost + first->cost + second->cost};
   }
 
   // A rotation by a chord s moves them by at least s times the root of this, in the root of the sum of squares.
@@ -143,8 +138,14 @@ Expression misfit(Graph& graph, const TargetLoop& loop, const Closure& closure, 
   Expression points, directions;
   for (const Closure::Item& item : closure.points) points += square_of_difference(loop, item, values);
   for (const Closure::Item& item : closure.directions) directions += square_of_difference(loop, item, values);
-  const Expression length = sqrt(points + graph.constant(closure.direction_weight) * directions);
-  return graph.constant(closure.scale) * length;
+  const Expression square = points + graph.constant(closure.direction_weight) * directions;
+  const double reach_square = closure.reach * closure.reach;
+  if (closure.slides.empty()) return graph.constant(std::sqrt(1.0 + reach_square)) * sqrt(square);
+  // By Cauchy, the square of a sum is at most the sum of squares times the number of terms.
+  Expression squares = graph.constant(reach_square);
+  for (const int k : closure.slides) squares += values[at(k)]->sine * values[at(k)]->sine;
+  const double terms = static_cast<double>(closure.slides.size()) + (closure.reach == 0.0 ? 0.0 : 1.0);
+  return sqrt((graph.one() + terms * squares) * square);
 }
 
 }  // namespace robcogen::algorithm::inversion

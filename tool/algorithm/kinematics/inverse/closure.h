@@ -16,8 +16,10 @@ struct Closure {
     int cut;
   };
   std::vector<Item> points, directions;
-  // The error of the pose is at most `scale` times the length of the differences, those of directions times this.
-  double scale = 1.0, direction_weight = 1.0;
+  // The error of the pose is at most the root of 1 + reach^2 times the length of the differences, those of directions
+  // times this. The reach is the largest distance of the last frame from the point, without these joints that slide.
+  double reach = 0.0, direction_weight = 1.0;
+  std::vector<int> slides = {};
 };
 
 // The cheapest one for these branches, with the values of all joints.

@@ -57,9 +57,10 @@ void Laboratory::set(std::size_t state, const NumberPose& pose, const std::vecto
   for (const SineCosine& value : values) next(value.sine), next(value.cosine);
 }
 
-JointValues Laboratory::given() const {
+JointValues Laboratory::known() const {
   JointValues values(chain_.axes.size());
-  if (chain_.given >= 0) values[at(chain_.given)] = joints[at(chain_.given)];
+  for (int k = 0; k < chain_.joints; ++k)
+    if (chain_.is_known(k)) values[at(k)] = joints[at(k)];
   return values;
 }
 

@@ -26,7 +26,7 @@ class Laboratory {
   void set(std::size_t state, const NumberPose& pose, const std::vector<double>& q);
   std::vector<ProbeValues> inputs;
 
-  JointValues given() const;
+  JointValues known() const;
 
  private:
   const SerialChain& chain_;

@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
+#include "algorithm/kinematics/inverse/arrangements.h"
 #include "algorithm/kinematics/inverse/laboratory.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 
@@ -50,7 +52,7 @@ class PlanSearch {
   // All orders that were kept, or the joints that are found.
   std::vector<Order> orders(Known& found) {
     Known start(chain_.axes.size());
-    if (chain_.given >= 0) start[at(chain_.given)] = true;
+    for (int k = 0; k < chain_.joints; ++k) start[at(k)] = chain_.is_known(k);
     std::map<Known, std::vector<Order>> layer = {{start, {Order()}}};
     for (int depth = static_cast<int>(std::count(start.begin(), start.end(), true)); depth < chain_.joints; ++depth) {
       std::map<Known, std::vector<Order>> next;
@@ -138,7 +140,7 @@ class PlanSearch {
 std::vector<bool> lengths_that_agree(const SerialChain& chain, const std::vector<Step>& steps, int rounds) {
   Laboratory lab(chain);
   StepSolver solver(lab.graph, chain, lab.target, lab.references);
-  branches(lab.graph, solver, chain, steps, lab.given());
+  branches(lab.graph, solver, chain, steps, lab.known());
   std::vector<bool> agree(chain.axes.size(), true);
   Random random(3);
   for (int round = 0; round < rounds; ++round) {
@@ -175,14 +177,14 @@ double determinant(std::vector<std::vector<double>> m) {
   return result;
 }
 
-// Of the Jacobian of a pose by six joints, or of a point by three, not counting given joints; zero for others.
+// Of the Jacobian of a pose by six joints, or of a point by three, not counting known joints; zero for others.
 double determinant_of_jacobian(const SerialChain& chain, const std::vector<SineCosine>& q) {
   const bool is_of_point = chain.task.kind == model::InverseTask::Kind::point;
   const std::size_t rows = is_of_point ? 3 : 6;
   NumberPose end = pose(chain, q);
   std::vector<std::vector<double>> columns;
   for (int k = 0; k < chain.joints; ++k) {
-    if (k == chain.given) continue;
+    if (chain.is_known(k)) continue;
     // The axis where the joints before it have moved it.
     SerialChain before = chain;
     before.joints = k;
@@ -209,7 +211,7 @@ class Trial {
         plan_{chain, std::move(steps)},
         solver_(lab_.graph, chain, lab_.target, lab_.references, lengths(rounds)) {
     const std::size_t mark = lab_.graph.mark();
-    branches_ = branches(lab_.graph, solver_, chain, plan_.steps, lab_.given());
+    branches_ = branches(lab_.graph, solver_, chain, plan_.steps, lab_.known());
     cost_ = weight(lab_.graph, mark);
   }
 
@@ -300,6 +302,24 @@ int class_of(double error) {
   return static_cast<int>(std::ceil(std::log10(std::max(error, kGood)) / 2.0 + 7.0));
 }
 
+struct Measured {
+  std::tuple<int, int, int> measure;  // roots, class of the error, cost
+  std::vector<Step> steps;
+};
+
+// The cheapest of the most accurate orders with the fewest roots; the joints that are found.
+std::optional<Measured> best_order(const SerialChain& chain, Known& found) {
+  std::vector<Order> orders = PlanSearch(chain).orders(found);
+  std::optional<Measured> best;
+  for (Order& order : orders) {
+    if (order.roots > orders.front().roots) break;
+    Trial trial(chain, order.steps);
+    const std::tuple<int, int, int> measure = {order.roots, class_of(trial.error()), trial.cost()};
+    if (!best || measure < best->measure) best = {measure, std::move(order.steps)};
+  }
+  return best;
+}
+
 // What a search depends on.
 std::vector<double> numbers_of(const SerialChain& chain) {
   std::vector<double> numbers = {
@@ -308,6 +328,7 @@ std::vector<double> numbers_of(const SerialChain& chain) {
   const auto add = [&](const Numbers3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
   for (const ChainAxis& axis : chain.axes) {
     numbers.push_back(axis.turns ? 1.0 : 0.0);
+    numbers.push_back(static_cast<double>(axis.amount));
     add(axis.direction);
     add(axis.point);
   }
@@ -362,20 +383,18 @@ Search search(const SerialChain& chain) {
       result.swivel = std::make_shared<const SwivelPlan>(*std::move(plan));
     return result;
   }
-  std::vector<Order> orders = PlanSearch(chain).orders(result.found);
-  std::optional<std::pair<int, int>> best;
-  std::vector<Step>* steps = nullptr;
-  for (Order& order : orders) {
-    if (order.roots > orders.front().roots) break;
-    Trial trial(chain, order.steps);
-    const std::pair<int, int> measure = {class_of(trial.error()), trial.cost()};
-    if (best && !(measure < *best)) continue;
-    best = measure;
-    steps = &order.steps;
+  std::optional<Measured> best;
+  for (const SerialChain& arranged : arrangements(chain)) {
+    Known found;
+    std::optional<Measured> here = best_order(arranged, found);
+    if (best && (!here || best->measure <= here->measure)) continue;
+    best = std::move(here);
+    result.chain = arranged;
+    result.found = std::move(found);
   }
   // Lengths that differ for few targets out of reach only are found by more of them.
   constexpr int kManyRounds = 500;
-  if (steps) result.plan = Trial(chain, std::move(*steps), kManyRounds).plan();
+  if (best) result.plan = Trial(result.chain, std::move(best->steps), kManyRounds).plan();
   return result;
 }
 

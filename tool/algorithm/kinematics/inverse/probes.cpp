@@ -76,7 +76,7 @@ std::vector<double> random_positions(const SerialChain& chain, Random& random, b
       continue;
     }
     q.push_back(random.uniform(-kPi, kPi));
-    if (!special || random.uniform(0.0, 1.0) > kSpecialShare) continue;
+    if (!special || chain.is_parametric(k) || random.uniform(0.0, 1.0) > kSpecialShare) continue;
     const double distance = std::pow(10.0, random.integer(-16, -2));
     q.back() = random.integer(-2, 2) * (kPi / 2.0) + random.integer(-1, 1) * distance;
   }

@@ -95,8 +95,6 @@ bool are_parallel(const Numbers3& a, const Numbers3& b) {
 std::string obstacle(const model::KinematicTree& tree, const model::FramePair& frames) {
   std::vector<int> passed;
   for (const PathSegment& segment : path_between(tree, frames)) {
-    for (const PrimitiveTransform& primitive : segment.primitives)
-      if (depends_on_parameters(primitive)) return "the chain has parameters";
     for (const JointOnPath& on_path : segment.joints) {
       const model::Joint& joint = tree.joints[at(on_path.joint)];
       const std::string name = "joint '" + joint.declared_name() + "'";
@@ -116,9 +114,18 @@ SerialChain serial_chain(
   SerialChain chain;
   chain.task = task;
   NumberPose here{kIdentity, {}};
+  int amounts = 0;
   for (const PathSegment& segment : path_between(tree, frames)) {
     const std::size_t constant = segment.primitives.size() - segment.joints.size();
-    for (std::size_t k = 0; k < constant; ++k) move(here, segment.primitives[k]);
+    for (std::size_t k = 0; k < constant; ++k) {
+      const PrimitiveTransform& primitive = segment.primitives[k];
+      if (depends_on_parameters(primitive))
+        chain.axes.push_back(
+            {-1, primitive.rotation, snapped(here.rotation[static_cast<std::size_t>(primitive.axis)]), here.position,
+             print(primitive.amount, tree.parameters), amounts++});
+      else
+        move(here, primitive);
+    }
     for (const auto& [joint, backward] : segment.joints) {
       if (joint == task.given) chain.given = chain.size();
       chain.axes.push_back(
@@ -138,6 +145,18 @@ SerialChain serial_chain(
     axis.point = without_rounding(chain, axis.point - dot(axis.direction, axis.point) * axis.direction);
   add_freedoms(chain);
   return chain;
+}
+
+bool SerialChain::has_parameters() const {
+  return std::any_of(axes.begin(), axes.end(), [](const ChainAxis& axis) { return axis.amount >= 0; });
+}
+
+std::vector<model::Quantity> parametric_amounts(const model::KinematicTree& tree, const model::FramePair& frames) {
+  std::vector<model::Quantity> amounts;
+  for (const PathSegment& segment : path_between(tree, frames))
+    for (const PrimitiveTransform& primitive : segment.primitives)
+      if (depends_on_parameters(primitive)) amounts.push_back(primitive.amount);
+  return amounts;
 }
 
 SerialChain orientation_chain(const SerialChain& chain, int begin, int end) {

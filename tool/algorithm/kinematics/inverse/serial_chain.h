@@ -4,6 +4,9 @@
 // With E_k the motion of joint k and M that pose, E_1 … E_n M = X. What a task leaves free is joints behind the last
 // one, which are never solved: for the position of a point three that turn about it, for a point and an axis one that
 // turns about the axis, for an orientation three that slide.
+//
+// A translation or rotation by an amount that depends on parameters is a joint whose position is known. Its axis is
+// placed, and so are those behind it, with this amount zero.
 #pragma once
 
 #include <array>
@@ -36,11 +39,12 @@ inline constexpr double kSameDirection = 1e-9;
 bool are_parallel(const Numbers3& a, const Numbers3& b);
 
 struct ChainAxis {
-  int joint = -1;        // of the robot; -1: a freedom of the task
+  int joint = -1;        // of the robot; -1: a freedom of the task, or moved by parameters
   bool turns = true;     // or slides
   Numbers3 direction{};  // unit: of the positive motion from the first frame to the last
   Numbers3 point{};      // on the axis
   std::string name = {};
+  int amount = -1;  // moved by parameters: the place in parametric_amounts
 };
 
 struct SerialChain {
@@ -54,6 +58,10 @@ struct SerialChain {
 
   int size() const { return static_cast<int>(axes.size()); }
   const ChainAxis& axis(int k) const { return axes[at(k)]; }
+  bool is_parametric(int k) const { return axis(k).amount >= 0; }
+  bool has_parameters() const;
+  // Whether the position is an argument, or follows from parameters.
+  bool is_known(int k) const { return k == given || is_parametric(k); }
 };
 
 // A point without elements that are zero but for rounding.
@@ -67,6 +75,9 @@ SerialChain serial_chain(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
     const model::InverseTask& task);
+
+// The amounts between two frames that depend on parameters, in the order of the path.
+std::vector<model::Quantity> parametric_amounts(const model::KinematicTree& tree, const model::FramePair& frames);
 
 // The joints from begin to before end as a chain of their own, for the orientation that they have together.
 SerialChain orientation_chain(const SerialChain& chain, int begin, int end);

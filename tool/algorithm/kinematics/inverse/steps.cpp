@@ -90,8 +90,13 @@ std::vector<Step> possible_steps(const SerialChain& chain, const std::vector<Fea
 
 std::string describe(const SerialChain& chain, const Feature& feature) {
   std::string joints;
+  std::string amount;  // of a feature that only parameters leave in place
   for (int k = feature.begin; k < feature.end && k < chain.joints; ++k)
-    joints += (joints.empty() ? "" : ", ") + chain.axis(k).name;
+    if (chain.is_parametric(k))
+      amount = "'" + chain.axis(k).name + "'";
+    else
+      joints += (joints.empty() ? "" : ", ") + chain.axis(k).name;
+  if (joints.empty()) joints = amount;
   const bool is_of_target = feature.begin >= chain.joints;
   if (joints.empty()) joints = is_of_target ? "the target" : "the base";
   switch (feature.kind) {

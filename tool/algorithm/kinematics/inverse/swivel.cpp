@@ -100,7 +100,8 @@ std::vector<std::string> SwivelPlan::sign_names() const {
 }
 
 std::optional<SwivelPlan> swivel_plan(const SerialChain& chain) {
-  if (chain.joints != kJoints || chain.task.kind != model::InverseTask::Kind::pose) return std::nullopt;
+  if (chain.joints != kJoints || chain.has_parameters() || chain.task.kind != model::InverseTask::Kind::pose)
+    return std::nullopt;
   if (!std::all_of(chain.axes.begin(), chain.axes.end(), [](const ChainAxis& axis) { return axis.turns; }))
     return std::nullopt;
   const auto shoulder = common_point(chain, 0, kElbow), wrist = common_point(chain, kElbow + 1, kJoints);

@@ -25,7 +25,7 @@ std::string list(const std::vector<std::string>& names) {
 std::vector<std::string> turning(const SerialChain& chain, const Feature& f) {
   std::vector<std::string> names;
   for (int k = f.begin; k < std::min(f.end, chain.joints); ++k)
-    if (chain.axis(k).turns) names.push_back(chain.axis(k).name);
+    if (chain.axis(k).turns && !chain.is_parametric(k)) names.push_back(chain.axis(k).name);
   return names;
 }
 
@@ -53,7 +53,7 @@ std::string near_misses(const SerialChain& chain) {
   std::string text;
   for (int k = 1; k < chain.joints; ++k) {
     const ChainAxis &a = chain.axis(k - 1), &b = chain.axis(k);
-    if (!a.turns || !b.turns) continue;
+    if (!a.turns || !b.turns || a.amount >= 0 || b.amount >= 0) continue;
     const double sine = norm(cross(a.direction, b.direction));
     if (sine >= kSameDirection && sine < kNear)
       text += fmt::format("; the axes of {} and {} are {:.3g} rad from being parallel", a.name, b.name, sine);
@@ -86,19 +86,23 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     const int count = search.plan ? search.plan->branches() : search.swivel->branches();
     return {fmt::format("{} branch{}{}", count, count == 1 ? "" : "es", axes.empty() ? "" : "; axes: " + axes), ""};
   }
+  if (chain.task.by_swivel && chain.has_parameters())
+    return {"a swivel angle needs a chain without parameters", "give a joint"};
   if (chain.task.by_swivel)
     return {
         "a swivel angle needs seven joints: the axes of the first three meet, those of the last three meet, and the "
         "fourth is across the line between both points",
         kAnyChain};
-  const int needed = coordinates(chain.task), free = chain.joints - (chain.given >= 0 ? 1 : 0);
+  int free = 0;
+  for (int k = 0; k < chain.joints; ++k) free += chain.is_known(k) ? 0 : 1;
+  const int needed = coordinates(chain.task);
   if (free > needed)
     return {
         fmt::format("{} joints for {} coordinates", free, needed),
         arguments.empty() ? kAnyChain : fmt::format("closed forms exist with {}", list(arguments))};
   std::vector<std::string> found, others;
   for (int k = 0; k < chain.joints; ++k)
-    if (k != chain.given) (search.found[at(k)] ? found : others).push_back(chain.axis(k).name);
+    if (!chain.is_known(k)) (search.found[at(k)] ? found : others).push_back(chain.axis(k).name);
   const std::string follow = found.empty() ? "" : list(found) + (found.size() == 1 ? " follows, " : " follow, ");
   const std::string misses = near_misses(chain);
   std::string hint = kAnyChain;
