@@ -45,7 +45,10 @@ Arrays<double> random_inputs(const backend::Library& library, const Program& pro
     for (std::size_t k = 0; k < array.elements.size(); ++k) {
       const bool is_near = !library.tree.loops.empty() && array.role == symbolic::Role::joint_position;
       const double value = reference::uniform(engine, is_near ? kNear : kLimit);
-      values.push_back(array.role == symbolic::Role::parameters ? std::abs(value) + 0.5 : value);
+      const bool is_positive =
+          array.role == symbolic::Role::parameters || array.role == symbolic::Role::contact_compliance;
+      const bool is_closed = array.role == symbolic::Role::contact_activity;
+      values.push_back(is_positive ? std::abs(value) + 0.5 : is_closed ? (value > -1 ? 1.0 : 0.0) : value);
     }
     for (const int first : array.quaternions) {
       const reference::Vector<double> unit = reference::unit_vector(engine, 4);

@@ -28,8 +28,9 @@ struct ColumnLoopLibraries {
 };
 ColumnLoopLibraries column_loop_libraries(const std::string& robot);
 
-// Values lie between -2 and 2; parameters are above 0.5. Positions of robots with loops lie within 0.1, because loops
-// close only near the position in which they are assembled.
+// Values lie between -2 and 2; parameters and compliances are above 0.5, and three in four contacts are closed.
+// Positions of robots with loops lie within 0.1, because loops close only near the position in which they are
+// assembled.
 symbolic::Arrays<double> random_inputs(
     const backend::Library& library,
     const symbolic::Program& program,

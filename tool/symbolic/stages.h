@@ -1,6 +1,7 @@
 // A long function as stages that run one after the other, such as kernels of a GPU.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -40,5 +41,9 @@ struct Stages {
   std::vector<Stage> list;
   int workspace = 0;  // elements
 };
+
+// The arrays of a function that one of its stages reads or writes, ascending: inputs, then outputs, then the workspace.
+// Not for stages that replace columns. `function`: its inputs and outputs suffice.
+std::vector<std::size_t> arrays_of(const Stage& stage, const Program& function);
 
 }  // namespace robcogen::symbolic

@@ -12,6 +12,7 @@ namespace {
 const char* const kStandIn = R"py(
 import ctypes, itertools, pathlib
 import hyl_gpu
+import robcogen.gpu
 
 hyl_gpu.load(pathlib.Path("all.so").resolve(), on_host=True)
 
@@ -106,6 +107,10 @@ for workspace in (None, Array((forward.workspace_size(N, 8),), "<f4")):
     for i, k in itertools.product(range(N), range(3)):
         assert abs(qdd[i, k] - ACCELERATIONS[i][k]) < 1e-9 * max(map(abs, ACCELERATIONS[i])), (i, k)
 refused(RuntimeError, "workspace is too small", lambda: forward(q, q, q, workspace=Array((1,), "<f8")))
+size = forward.workspace_size(N, 8)
+refused(ValueError, "not contiguous", lambda: forward(q, q, q, workspace=Array((size,), "<f4", (2,))))
+refused(ValueError, "must have the shape", lambda: inertia(single, out=Array(())))
+assert MESSAGES == robcogen.gpu._MESSAGES
 
 try:
     import numpy
@@ -150,10 +155,15 @@ TEST(GpuPython, TakesArraysOfOthers) {
     }
     return text + "]\n";
   };
+  std::string messages = "MESSAGES = (";
+  for (int status = robcogen_gpu_success; status <= robcogen_gpu_wrong_layout; ++status)
+    messages += std::string("\"") + robcogen_gpu_message(static_cast<robcogen_gpu_status>(status)) + "\", ";
   write_text(
-      scratch.path / "test.py", "N = 5\nQ = " + literal(states.arrays[0]) + "EXPECTED = " + literal(states.arrays[1]) +
-                                    "ACCELERATIONS = " + literal(accelerations) + kStandIn);
-  EXPECT_EQ(run(scratch.path, PYTHON " test.py"), "");
+      scratch.path / "test.py", messages + ")\nN = 5\nQ = " + literal(states.arrays[0]) + "EXPECTED = " +
+                                    literal(states.arrays[1]) + "ACCELERATIONS = " + literal(accelerations) + kStandIn);
+  EXPECT_EQ(
+      run(scratch.path, "PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=" ROBCOGEN_RUNTIME_DIR "/../python " PYTHON " test.py"),
+      "");
 }
 
 }  // namespace

@@ -59,6 +59,14 @@ std::string differences(
   const std::size_t bytes = workspace.size() * sizeof(Real);
   if (f.stages && call(symbol, kStates, arrays, {workspace.data(), bytes - 1}) != robcogen_gpu_small_workspace)
     return f.name + " takes a workspace that is too small\n";
+  if (f.stages) {
+    std::vector<robcogen_gpu_array> lower = arrays;
+    lower.back().layout = robcogen_gpu_lower_by_tile;
+    const int refused = call(symbol, kStates, lower, {workspace.data(), bytes});
+    for (std::size_t a = 0; a < f.arrays.size(); ++a)
+      if (refused != robcogen_gpu_wrong_layout || (f.arrays[a].array.output && memory[a].touched() > 0))
+        return f.name + " in stages starts with a lower triangle\n";
+  }
   if (const int status = call(symbol, kStates, arrays, {workspace.data(), bytes}); status != 0)
     return f.name + ": " + robcogen_gpu_message(static_cast<robcogen_gpu_status>(status)) + "\n";
   for (std::size_t a = 0; a < f.arrays.size(); ++a) {
@@ -168,7 +176,12 @@ INSTANTIATE_TEST_SUITE_P(
     GpuRobots,
     testing::Values(
         Asked{"hyl", with_derivatives()},
-        Asked{"hyl_parametric", {"inverse_dynamics", "joint_space_inertia"}, {"inverse_dynamics:q,parameters"}},
+        // In stages that read the values of parameters, and whole.
+        Asked{
+            "hyl_parametric",
+            {"inverse_dynamics", "joint_space_inertia"},
+            {"inverse_dynamics:q,parameters"},
+            {100, 60}},
         // In stages, of which the last ones solve for columns.
         Asked{"geared_leg", {"forward_dynamics_derivatives"}, {}, {1000, 400}},
 #if ROBCOGEN_TEST_EVERYTHING
@@ -217,6 +230,8 @@ TEST(Gpu, WrongArgumentsAreRefusedAndLowerTrianglesWritten) {
   EXPECT_EQ(status(std::ptrdiff_t(1) << 31, tiles, results), robcogen_gpu_too_large);
   EXPECT_EQ(status(std::ptrdiff_t(1) << 28, tiles, results), robcogen_gpu_too_large);
   EXPECT_EQ(status(8, {q.data(), robcogen_gpu_by_element, 1 << 30}, results), robcogen_gpu_too_large);
+  EXPECT_EQ(status(8, tiles, {H.data(), robcogen_gpu_same_for_all, 0}), robcogen_gpu_wrong_layout);
+  EXPECT_EQ(status(8, {q.data(), static_cast<robcogen_gpu_layout>(5), 0}, results), robcogen_gpu_wrong_layout);
 
   // Lower triangles are those of symmetric results among tiles.
   const std::vector<float> whole = H;

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "../../unit/backend/programs.h"
-#include "robcogen/gpu/dialect.h"
+#include "robcogen/gpu/bench.h"
 #include "states.h"
 
 namespace robcogen::test {
@@ -147,6 +147,69 @@ TEST(GpuText, AvoidsReservedNames) {
   const std::string text = text_of(library, "leg_gpu/leg.h");
   for (const char* name : {"global_ = ", "REAL_ = ", "float4_ = "})
     EXPECT_NE(text.find(name), std::string::npos) << text;
+}
+
+// Functions of the package in Python: two of them have names of the language and of the package.
+TEST(GpuText, AvoidsReservedNamesInPython) {
+  Library library = leg_library();
+  library.model_file = "a\"\"\"b.kindsl";
+  library.groups = {"leg"};
+  for (const char* name : {"lambda", "load", "swing"})
+    library.functions.push_back(function("leg", name, leg_program("return tau q[0]\n")));
+  const std::string text = text_of(library, "leg_gpu/__init__.py");
+  for (const char* line :
+       {"a\\\"\\\"\\\"b.kindsl; edit", "\nlambda_ = ", "\nload_ = ", "\nswing = ", "\nload = _library.load\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << text;
+}
+
+// A stage may take all arrays of the function and the workspace.
+TEST(GpuText, HasTemplatesForTheArraysOfStages) {
+  Library library = leg_library();
+  library.groups = {"leg"};
+  library.functions = {function("leg", "leg", leg_program("tmp a = q[0] + q[1]\ntmp b = a * a\nreturn tau b\n"))};
+  symbolic::Program& program = library.functions.front().program;
+  while (program.inputs.size() + program.outputs.size() < 24) {
+    symbolic::OutputArray& next = program.outputs.emplace_back(program.outputs.front());
+    next.name = "tau_" + std::to_string(program.outputs.size());
+  }
+  std::string model;
+  for (const OutputFile& file : backend::gpu::print(library, {1, 1}))
+    if (file.path == "leg_gpu/model.h") model = file.text;
+  EXPECT_NE(model.find("#define RC_ARRAYS25 RC_ARRAYS24, class RC_ARRAY25"), std::string::npos) << model;
+}
+
+// A result that is NaN only on the device is a difference, whatever the next ones are.
+TEST(GpuBench, FindsNaN) {
+  const robcogen::gpu::BenchFunction<float> copy = {
+      "copy",
+      {{"x", 2, false}, {"y", 2, true}},
+      0,
+      1,
+      [](void*, std::ptrdiff_t, const robcogen_gpu_array* a, robcogen_gpu_workspace) {
+        const float* const x = static_cast<const float*>(a[0].data);
+        float* const y = static_cast<float*>(const_cast<void*>(a[1].data));
+        y[0] = std::numeric_limits<float>::quiet_NaN();
+        y[32] = x[32];
+        return robcogen_gpu_success;
+      },
+      [](const double* const* in, double* const* out) { std::copy(in[0], in[0] + 2, out[0]); }};
+  const robcogen::gpu::BenchStates<float> states(copy, 1, robcogen_gpu_by_tile, 7);
+  states.run();
+  EXPECT_EQ(states.worst(), HUGE_VAL);
+}
+
+// The program that checks a library on a device, here on the host; without a function to check, it fails.
+TEST(GpuBench, ChecksALibraryOnTheHost) {
+  const Scratch scratch("gpu-bench");
+  write_gpu(scratch.path, library("hyl_parametric", {"joint_space_inertia"}));
+  const std::string folder = "hyl_parametric_gpu/";
+  write_text(
+      scratch.path / "all.cpp", "#include \"" + folder + "bench.cu\"\n#include \"" + folder +
+                                    "parameters.cu\"\n#include \"" + folder + "joint_space_inertia.cu\"\n");
+  ASSERT_EQ(run(scratch.path, "g++ -std=c++17 -O0 -Wall -Wextra -Werror" + kIncludes + "all.cpp -o bench"), "");
+  const std::string report = run(scratch.path, "./bench --check");
+  EXPECT_NE(report.find("all results agree with the host"), std::string::npos) << report;
+  EXPECT_NE(run(scratch.path, "./bench --check gravity || echo refused").find("refused"), std::string::npos);
 }
 
 // A unit that makes the compiler print code for the kernels of the first function of each group, over tiles.

@@ -1,7 +1,6 @@
 // Functions over many states that a program on the host calls: their declarations, and the units that start kernels.
 #include "backend/gpu/printers.h"
 #include "support/concat.h"
-#include "support/index.h"
 
 namespace robcogen::backend::gpu {
 namespace {
@@ -19,54 +18,35 @@ std::string signature(const Names& names, const StatesFunction& f, const Scalar&
 // The overload in C++.
 std::string overload(const Names& names, const StatesFunction& f, const Scalar& scalar) {
   std::vector<std::string> arguments = {"robcogen::gpu::Stream stream", "std::ptrdiff_t n"};
-  std::string passed = "stream.handle, n";
+  std::vector<std::string> passed = {"stream.handle", "n"};
   for (const StatesArray& a : f.arrays) {
     const std::string kind = a.array.output ? "robcogen::gpu::Out<" : "robcogen::gpu::In<";
     arguments.push_back(kind + scalar.type + "> " + a.array.name);
-    passed += ", " + a.array.name + ".array";
+    passed.push_back(a.array.name + ".array");
   }
   if (f.stages) {
     arguments.push_back("robcogen::gpu::Workspace " + kWorkspace);
-    passed += ", {" + kWorkspace + ".data, " + kWorkspace + ".bytes}";
+    passed.push_back(kWorkspace);
   }
   return c::wrapped("inline robcogen::gpu::Status " + f.name + "(", arguments, ") noexcept {") +
          c::wrapped(
-             "  return static_cast<robcogen::gpu::Status>(" + names.prefix + "_batch_" + f.name + scalar.suffix + "(",
-             {passed}, "));") +
+             "  return robcogen::gpu::Status(" + names.prefix + "_batch_" + f.name + scalar.suffix + "(", passed,
+             "));") +
          "}\n";
 }
 
 std::string documentation(const Names& names, const StatesFunction& f) {
-  if (!f.function) return c::comment("Computes the values that functions read in place of the parameters.");
+  if (!f.function) return c::comment(kUpdateSummary);
   std::vector<KernelArray> list;
   for (const StatesArray& a : f.arrays) list.push_back(a.array);
   return c::documentation(names, *f.function, list);
 }
 
-// The bytes of the workspace of a function in stages.
-std::string size_of_workspace(const Names& names, const StatesFunction& f, const Scalar& scalar) {
-  return "static inline size_t " + names.prefix + "_batch_" + f.name + "_workspace" + scalar.suffix +
-         "(ptrdiff_t n) {\n  return robcogen_gpu_workspace_bytes(n, " + std::to_string(f.stages->workspace) +
-         ", sizeof(" + scalar.type + "));\n}\n";
-}
-
-std::string size_of_workspace(const StatesFunction& f) {
-  return "template <class Scalar>\nstd::size_t " + f.name +
-         "_workspace(std::ptrdiff_t n) noexcept {\n  return robcogen_gpu_workspace_bytes(n, " +
-         std::to_string(f.stages->workspace) + ", sizeof(Scalar));\n}\n";
-}
-
-// Whether the result is a matrix whose values above the diagonal are those below it.
+// Whether the array is a symmetric result, element by element.
 bool is_symmetric(const StatesFunction& f, std::size_t array) {
-  if (!f.function || f.function->function->solved || f.stages) return false;
+  if (!f.function || f.function->function->solved || f.stages || !f.arrays[array].array.output) return false;
   const symbolic::Program& program = f.function->function->program;
-  if (array < program.inputs.size()) return false;
-  const symbolic::OutputArray& output = program.outputs[array - program.inputs.size()];
-  if (output.role != symbolic::Role::inertia_matrix || output.rows != output.columns) return false;
-  for (int row = 0; row < output.rows; ++row)
-    for (int column = 0; column < row; ++column)
-      if (output.values[at(row + column * output.rows)] != output.values[at(column + row * output.rows)]) return false;
-  return true;
+  return program.outputs[array - program.inputs.size()].role == symbolic::Role::inertia_matrix;
 }
 
 // The kernel with all arrays of `kind`, as a template argument; `Lower`: tiles, of symmetric results the lower
@@ -99,7 +79,8 @@ std::string print_run(const Names& names, const StatesFunction& f, const StatesK
 
 std::string print_launch(const Names& names, const StatesFunction& f) {
   std::vector<std::string> arguments;
-  for (const StatesArray& a : f.arrays) arguments.push_back("{" + a.array.name + ", " + std::to_string(a.size) + "}");
+  for (const StatesArray& a : f.arrays)
+    arguments.push_back("{" + a.array.name + ", " + std::to_string(a.size) + (a.array.output ? ", true}" : "}"));
   const std::string count = std::to_string(f.arrays.size());
   const std::vector<StatesKernel> list = f.kernels();
   std::vector<std::string> parameters = {"void *stream", "ptrdiff_t n", "const Argument (&arguments)[" + count + "]"};
@@ -134,9 +115,12 @@ std::string print_batch(const Names& names, const std::vector<std::string>& grou
   for (const std::string& group : groups) {
     for (const StatesFunction& f : states_functions(names, group)) {
       plain += "\n" + documentation(names, f);
-      if (f.stages) overloads += size_of_workspace(f);
+      if (f.stages) {
+        const std::string elements = ", " + std::to_string(f.stages->workspace) + ")\n";
+        plain += "ROBCOGEN_GPU_WORKSPACE(" + names.prefix + "_batch_" + f.name + elements;
+        overloads += "ROBCOGEN_GPU_WORKSPACE_OF(" + f.name + elements;
+      }
       for (const Scalar& scalar : kScalars) {
-        if (f.stages) plain += size_of_workspace(names, f, scalar);
         plain += signature(names, f, scalar, ";");
         overloads += overload(names, f, scalar);
       }

@@ -6,30 +6,33 @@
 namespace robcogen::backend::gpu {
 namespace {
 
+// What the array is filled with, behind a comma; nothing: any numbers.
+std::string contents(const StatesFunction& f, std::size_t array) {
+  if (f.arrays[array].array.output) return "";
+  if (!f.function) return ", parameters";
+  const symbolic::Role role = f.function->function->program.inputs[array].role;
+  if (role == symbolic::Role::parameters) return ", cache";
+  const bool is_positive = role == symbolic::Role::contact_activity || role == symbolic::Role::contact_compliance;
+  return is_positive ? ", nullptr, true" : "";
+}
+
 std::string print_case(const Names& names, const StatesFunction& f, const Scalar& scalar) {
-  std::vector<std::string> arrays, started = {"stream", "n"}, passed;
+  std::vector<std::string> arrays, passed;
   std::size_t inputs = 0;
   for (std::size_t k = 0; k < f.arrays.size(); ++k) {
     const StatesArray& a = f.arrays[k];
-    const bool is_cache = f.function && a.array.is_structure;
-    const std::string fixed = is_cache ? ", cache" : a.array.is_structure || !f.function ? ", parameters" : "";
     arrays.push_back(
-        "{\"" + a.array.name + "\", " + std::to_string(a.size) +
-        (a.array.output ? ", true}" : ", false" + fixed + "}"));
-    started.push_back("a[" + std::to_string(k) + "]");
+        "{\"" + a.array.name + "\", " + std::to_string(a.size) + (a.array.output ? ", true" : ", false") +
+        contents(f, k) + "}");
     passed.push_back(a.array.output ? "out[" + std::to_string(k - inputs) + "]" : "in[" + std::to_string(k) + "]");
     if (!a.array.output) ++inputs;
   }
-  if (f.stages) started.emplace_back("workspace");
   const Function* function = f.function ? f.function->function : nullptr;
   const double error = function && function->error ? (*function->error).*scalar.error : 0;
   return c::wrapped("  bench.run<" + std::string(scalar.type) + ">({\"" + f.name + "\", {", arrays, "},") + "    " +
-         std::to_string(f.stages ? f.stages->workspace : 0) + ", " + print_double(error) + ",\n" +
-         "    [](void* stream, std::ptrdiff_t n, const robcogen_gpu_array* a, robcogen_gpu_workspace" +
-         (f.stages ? " workspace" : "") + ") {\n" +
-         c::wrapped("      return " + names.prefix + "_batch_" + f.name + scalar.suffix + "(", started, ");") +
-         "    },\n" + "    [](const double* const* in, double* const* out) {\n" +
-         (inputs == 0 ? "      (void)in;\n" : "") +
+         std::to_string(f.stages ? f.stages->workspace : 0) + ", " + print_double(error) + ", StartedBy<" +
+         names.prefix + "_batch_" + f.name + scalar.suffix + ">::start,\n" +
+         "    [](const double* const* in, double* const* out) {\n" + (inputs == 0 ? "      (void)in;\n" : "") +
          c::wrapped("      " + names.prefix + "_" + f.name + "<double>(", passed, ");") + "    }});\n";
 }
 

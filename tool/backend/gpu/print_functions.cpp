@@ -36,8 +36,11 @@ constexpr std::size_t kMaxArrays = 24;
 // The macros for more.
 std::string print_templates(const Names& names) {
   std::size_t most = 0;
-  for (const c::NamedFunction& f : names.functions)
-    most = std::max(most, f.function->program.inputs.size() + f.function->program.outputs.size());
+  for (const c::NamedFunction& f : names.functions) {
+    const symbolic::Program& program = f.function->program;
+    const std::size_t workspace = names.stages.count(f.function);
+    most = std::max(most, program.inputs.size() + program.outputs.size() + workspace);
+  }
   std::string text;
   for (std::size_t count = kMaxArrays + 1; count <= most; ++count)
     text += "#define RC_ARRAYS" + std::to_string(count) + " RC_ARRAYS" + std::to_string(count - 1) +

@@ -50,6 +50,7 @@ struct StatesFunction {
 };
 
 std::vector<StatesFunction> states_functions(const Names& names, const std::string& group);
+inline constexpr const char* kUpdateSummary = "Computes the values that functions read in place of the parameters.";
 
 // The precisions of functions over many states: the type of numbers, the end of names, the stated rounding error.
 struct Scalar {

@@ -1,50 +1,13 @@
 // Functions in stages: the kernels that run one after the other, and the functions that these call.
-#include <algorithm>
-
 #include "backend/common/columns.h"
 #include "backend/gpu/printers.h"
 #include "support/index.h"
 #include "symbolic/cut_program.h"
 
 namespace robcogen::backend::gpu {
-namespace {
 
-using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Stage;
-
-// By input array: whether the program reads it.
-std::vector<bool> reads(const Program& p) {
-  std::vector<std::size_t> array_of;  // by element
-  for (std::size_t k = 0; k < p.inputs.size(); ++k) array_of.insert(array_of.end(), p.inputs[k].elements.size(), k);
-  std::vector<bool> result(p.inputs.size(), false);
-  const auto note = [&](const Operand& o) {
-    if (o.kind == Operand::Kind::input) result[array_of[at(o.index)]] = true;
-  };
-  for (const symbolic::Statement& s : p.statements) for_each_operand(s, note);
-  for (const symbolic::OutputArray& output : p.outputs)
-    for (const Operand& o : output.values) note(o);
-  return result;
-}
-
-// The arrays of the function that a stage takes; the one behind the last is the workspace.
-std::vector<std::size_t> arrays_of(const StatesFunction& f, const Stage& stage) {
-  const std::vector<bool> is_read = reads(stage.program);
-  const Program& whole = f.function->function->program;
-  const auto writes = [&](const std::string& array) {
-    const std::vector<symbolic::OutputArray>& outputs = stage.program.outputs;
-    return std::any_of(outputs.begin(), outputs.end(), [&](const auto& output) { return output.name == array; });
-  };
-  std::vector<std::size_t> result;
-  for (std::size_t k = 0; k < whole.inputs.size(); ++k)
-    if (is_read[k]) result.push_back(k);
-  for (std::size_t k = 0; k < whole.outputs.size(); ++k)
-    if (writes(whole.outputs[k].name)) result.push_back(whole.inputs.size() + k);
-  if (is_read.back() || writes(symbolic::kWorkspace)) result.push_back(f.arrays.size());
-  return result;
-}
-
-}  // namespace
 
 Names names(const Library& library, const Lengths& lengths) {
   const std::string folder = flat(library.enclosing, library.name) + "_gpu";
@@ -77,7 +40,7 @@ std::vector<StatesKernel> StatesFunction::kernels() const {
   };
   for (std::size_t number = 0; number < stages->list.size(); ++number) {
     const Stage& stage = stages->list[number];
-    if (stage.columns.empty()) add(number, arrays_of(*this, stage), nullptr);
+    if (stage.columns.empty()) add(number, arrays_of(stage, function->function->program), nullptr);
     for (const Stage::Columns& columns : stage.columns)
       add(number, {function->function->program.inputs.size() + at(columns.output), arrays.size()}, &columns);
   }
@@ -96,7 +59,7 @@ std::string print_stages(const Names& names, const StatesFunction& f) {
     std::vector<KernelArray> list = {{symbolic::kColumns, true}, {symbolic::kWorkspace, true}};
     if (stage.columns.empty()) {
       list.clear();
-      for (const std::size_t k : arrays_of(f, stage)) list.push_back(f.array(k).array);
+      for (const std::size_t k : arrays_of(stage, f.function->function->program)) list.push_back(f.array(k).array);
     }
     text += "\n" + c::macro_signature(stage_name(names, f, number), list, " {") +
             body(lower(stage.program, stage.program.name, d), d) + "}\n";

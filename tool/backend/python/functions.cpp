@@ -6,6 +6,7 @@
 
 #include "backend/common/meaning.h"
 #include "backend/common/names.h"
+#include "backend/common/python_names.h"
 #include "support/concat.h"
 #include "support/index.h"
 
@@ -85,16 +86,6 @@ std::string last_of(const std::string& scope) {
   return scope.substr(scope.rfind('.') + 1);
 }
 
-constexpr const char* kKeywords[] = {"False",  "None",   "True",    "and",      "as",       "assert", "async",
-                                     "await",  "break",  "class",   "continue", "def",      "del",    "elif",
-                                     "else",   "except", "finally", "for",      "from",     "global", "if",
-                                     "import", "in",     "is",      "lambda",   "nonlocal", "not",    "or",
-                                     "pass",   "raise",  "return",  "try",      "while",    "with",   "yield"};
-
-bool is_keyword(const std::string& name) {
-  return std::find(std::begin(kKeywords), std::end(kKeywords), name) != std::end(kKeywords);
-}
-
 // The documentation of one function in the stub. Characters that would end the string are replaced.
 std::string text_in_quotes(const Function& f, const std::string& margin) {
   std::string text;
@@ -146,8 +137,8 @@ std::string print_parameters(const Library& library) {
   std::string members, arguments;
   bool has_keywords = false;
   for (const model::Parameter& p : library.parameters()) {
-    has_keywords = has_keywords || is_keyword(p.name);
-    if (is_keyword(p.name)) continue;
+    has_keywords = has_keywords || is_python_keyword(p.name);
+    if (is_python_keyword(p.name)) continue;
     members += "    @property\n    def " + p.name + "(self) -> float: ...\n";
     arguments += ", " + p.name + ": float" + (p.default_value ? " = ..." : "");
   }

@@ -19,7 +19,8 @@ typedef enum robcogen_gpu_status {
   robcogen_gpu_no_device_code,   // the library has no code for this device: GPU_ARCHITECTURES
   robcogen_gpu_launch_failed,    // CUDA or HIP did not start the kernel; cudaGetLastError() says why
   robcogen_gpu_small_workspace,  // the workspace is smaller than the function says, null, or misaligned
-  robcogen_gpu_wrong_layout      // lower triangles by tile: of a symmetric result, with tiles of all other arrays
+  robcogen_gpu_wrong_layout      // lower triangles by tile: of a symmetric result, with tiles of all other arrays; a
+                                 // result that is the same for all; or no layout
 } robcogen_gpu_status;
 
 // Where element k of state i is in an array of states with `size` elements each.
@@ -27,7 +28,7 @@ typedef enum robcogen_gpu_layout {
   robcogen_gpu_by_tile = 0,   // data[i / 32 * 32 * size + k * 32 + i % 32]; memory for a multiple of 32 states
   robcogen_gpu_by_element,    // data[k * stride + i]
   robcogen_gpu_by_state,      // data[i * stride + k]; stride 0: size
-  robcogen_gpu_same_for_all,  // data[k]
+  robcogen_gpu_same_for_all,  // data[k]; not of a result
   robcogen_gpu_lower_by_tile  // by tile; elements above the diagonal of a symmetric result are not written
 } robcogen_gpu_layout;
 
@@ -49,6 +50,21 @@ static inline size_t robcogen_gpu_workspace_bytes(ptrdiff_t n, size_t numbers, s
   return n <= 0 ? 0 : ((size_t)n + 31) / 32 * 32 * numbers * bytes_of_number;
 }
 
+// Defines the functions that return the bytes of a function's workspace for n states, in double and in float: in C, and
+// in C++ as a template of the scalar. `elements`: those of one state.
+#define ROBCOGEN_GPU_WORKSPACE(function, elements)                    \
+  static inline size_t function##_workspace(ptrdiff_t n) {            \
+    return robcogen_gpu_workspace_bytes(n, elements, sizeof(double)); \
+  }                                                                   \
+  static inline size_t function##_workspacef(ptrdiff_t n) {           \
+    return robcogen_gpu_workspace_bytes(n, elements, sizeof(float));  \
+  }
+#define ROBCOGEN_GPU_WORKSPACE_OF(function, elements)                 \
+  template <class Scalar>                                             \
+  std::size_t function##_workspace(std::ptrdiff_t n) noexcept {       \
+    return robcogen_gpu_workspace_bytes(n, elements, sizeof(Scalar)); \
+  }
+
 static inline const char* robcogen_gpu_message(robcogen_gpu_status status) {
   switch (status) {
     case robcogen_gpu_success:
@@ -68,7 +84,8 @@ static inline const char* robcogen_gpu_message(robcogen_gpu_status status) {
     case robcogen_gpu_small_workspace:
       return "the workspace is too small, null or misaligned";
     case robcogen_gpu_wrong_layout:
-      return "lower triangles are those of symmetric results, with tiles of all other arrays";
+      return "an array cannot have this layout: results differ from state to state, and lower triangles are those of "
+             "symmetric results, with tiles of all other arrays";
   }
   return "unknown status";
 }
@@ -104,6 +121,7 @@ struct Stream {
 struct Workspace {
   void* data = nullptr;
   std::size_t bytes = 0;
+  operator robcogen_gpu_workspace() const noexcept { return {data, bytes}; }
 };
 
 template <class Number>

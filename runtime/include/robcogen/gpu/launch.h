@@ -10,10 +10,11 @@
 
 namespace robcogen::gpu {
 
-// An argument, and the number of elements of one of its states.
+// An argument, the number of elements of one of its states, and whether kernels write it.
 struct Argument {
   robcogen_gpu_array array;
   int size;
+  bool is_output = false;
 };
 
 constexpr std::ptrdiff_t kMaxElements = std::numeric_limits<int>::max();
@@ -21,6 +22,10 @@ constexpr std::ptrdiff_t kMaxElements = std::numeric_limits<int>::max();
 inline robcogen_gpu_status check(std::ptrdiff_t n, const Argument& a, std::size_t alignment) noexcept {
   const auto& [data, layout, stride] = a.array;
   if (a.size == 0) return robcogen_gpu_success;
+  // In C, a layout may be any number.
+  const int number = layout;
+  if (number < robcogen_gpu_by_tile || number > robcogen_gpu_lower_by_tile) return robcogen_gpu_wrong_layout;
+  if (layout == robcogen_gpu_same_for_all && a.is_output) return robcogen_gpu_wrong_layout;
   if (data == nullptr || reinterpret_cast<std::uintptr_t>(data) % alignment != 0) return robcogen_gpu_misaligned;
   if (layout == robcogen_gpu_same_for_all) return robcogen_gpu_success;
   const bool is_by_element = layout == robcogen_gpu_by_element, is_by_state = layout == robcogen_gpu_by_state;
@@ -178,8 +183,12 @@ class Stages {
       int size) noexcept
       : launch_{stream, static_cast<int>(n), 1}, status_(check(n, arguments, alignof(Number))) {
     for (std::size_t k = 0; k < kCount; ++k) arguments_[k] = arguments[k];
-    arguments_[kCount] = {{workspace.data, robcogen_gpu_by_tile, 0}, size};
+    arguments_[kCount] = {{workspace.data, robcogen_gpu_by_tile, 0}, size, true};
     if (status_ != robcogen_gpu_success || n == 0) return;
+    // Before the first kernel starts, because a later one would refuse it.
+    for (const Argument& a : arguments)
+      if (a.array.layout == robcogen_gpu_lower_by_tile) status_ = robcogen_gpu_wrong_layout;
+    if (status_ != robcogen_gpu_success) return;
     const robcogen_gpu_status fits = check(n, arguments_[kCount], alignof(Number));
     if (fits == robcogen_gpu_too_large)
       status_ = fits;

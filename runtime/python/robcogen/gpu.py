@@ -1,4 +1,6 @@
-R"PY(
+"""Calls of the functions over many states that LANGUAGES gpu makes, for the packages that it prints (runtime/GPU.md): they
+take arrays of CuPy, PyTorch, JAX and others. Such a package is a table of functions; what they have in common is here.
+"""
 import ctypes
 import math
 import pathlib
@@ -7,6 +9,18 @@ import sys
 _BY_ELEMENT, _BY_STATE, _SAME_FOR_ALL = 1, 2, 3  # enum robcogen_gpu_layout
 _CPU = (1, 3)  # DLDeviceType: memory of the processor
 _LETTERS = {"<f8": "", "<f4": "f"}  # the ends of names, by the type of numbers
+_MESSAGES = (  # robcogen_gpu_message() of robcogen/gpu/batch.h
+    "success",
+    "the number of states is negative",
+    "an array has 2^31 elements or more",
+    "a stride is too small",
+    "an array is null or misaligned",
+    "the library has no code for this device",
+    "the kernel did not start",
+    "the workspace is too small, null or misaligned",
+    "an array cannot have this layout: results differ from state to state, and lower triangles are those of "
+    "symmetric results, with tiles of all other arrays",
+)
 
 
 class _Layout(ctypes.Structure):
@@ -32,28 +46,33 @@ class _Tensor(ctypes.Structure):  # DLTensor of DLPack
     ]
 
 
-class _Library:
-    loaded = None
-    on_host = False
+class Library:
+    """The library of the package whose file this is: _functions.so in its folder, unless `load` names another one."""
 
+    def __init__(self, file):
+        self._path = pathlib.Path(file).with_name("_functions.so")
+        self._loaded = None
+        self.on_host = False
 
-def load(path, on_host=False):
-    """Loads the library of functions over many states, by default the file _functions.so in this folder. `on_host`: it
-    was compiled for the processor, for tests, and takes arrays in its memory."""
-    _Library.loaded = ctypes.CDLL(str(path))
-    _Library.on_host = on_host
+    def load(self, path, on_host=False):
+        """Loads the library of functions over many states, by default the file _functions.so in this folder. `on_host`: it
+        was compiled for the processor, for tests, and takes arrays in its memory."""
+        self._loaded = ctypes.CDLL(str(path))
+        self.on_host = on_host
 
+    def symbol(self, name):
+        if self._loaded is None:
+            self.load(self._path)
+        return getattr(self._loaded, name)
 
-def _library():
-    if _Library.loaded is None:
-        load(pathlib.Path(__file__).with_name("_functions.so"))
-    return _Library.loaded
+    def function(self, *definition):
+        return Function(self, *definition)
 
 
 class _Memory:
     """Where the numbers of an array are: `__cuda_array_interface__`, or else `__dlpack__`."""
 
-    def __init__(self, name, array, writable, stream):
+    def __init__(self, name, array, writable, stream, on_host):
         self.owner = array
         interface = getattr(array, "__cuda_array_interface__", None)
         if interface is not None:
@@ -65,17 +84,17 @@ class _Memory:
             self.size = int(self.type[2:])
             strides = interface.get("strides")
         elif hasattr(array, "__dlpack__"):
-            strides = self._take(name, array, stream)
+            strides = self._take(name, array, stream, on_host)
         else:
             raise TypeError(f"{name} has neither __cuda_array_interface__ nor __dlpack__: {type(array).__name__}")
-        if strides is None:  # contiguous
-            strides = [self.size * math.prod(self.shape[k + 1 :]) for k in range(len(self.shape))]
-        self.strides = tuple(strides)
+        contiguous = tuple(self.size * math.prod(self.shape[k + 1 :]) for k in range(len(self.shape)))
+        self.strides = contiguous if strides is None else tuple(strides)
+        self.is_contiguous = self.strides == contiguous
 
-    def _take(self, name, array, stream):
+    def _take(self, name, array, stream, on_host):
         # The capsule is not consumed: it releases the memory when this object goes.
         on_device = array.__dlpack_device__()[0] not in _CPU
-        if not (on_device or _Library.on_host):
+        if not (on_device or on_host):
             raise TypeError(f"{name} is in the memory of the processor")
         # 1 is the default stream of CUDA in DLPack.
         self.owner = array.__dlpack__(stream=stream or 1) if on_device else array.__dlpack__()
@@ -127,8 +146,12 @@ def _empty(like, shape):
     return new if len(shape) < 3 else new.swapaxes(1, 2)
 
 
-class _Function:
-    def __init__(self, name, symbol, arrays, workspace, summary):
+class Function:
+    """A function over many states. `arrays`: name, shape for one state, and whether it is a result; `workspace`: elements
+    for one state."""
+
+    def __init__(self, library, name, symbol, arrays, workspace, summary):
+        self._library = library
         self.__name__ = name
         self.__doc__ = summary
         self._symbol = symbol
@@ -145,7 +168,8 @@ class _Function:
             names = ", ".join(name for name, _ in self._inputs)
             raise TypeError(f"{self.__name__} takes {len(self._inputs)} arrays: {names}")
         stream = getattr(stream, "cuda_stream", getattr(stream, "ptr", stream))  # PyTorch, CuPy
-        memory = [_Memory(name, a, False, stream) for (name, _), a in zip(self._inputs, inputs)]
+        on_host = self._library.on_host
+        memory = [_Memory(name, a, False, stream, on_host) for (name, _), a in zip(self._inputs, inputs)]
         counts = [m.shape[0] for m, (_, shape) in zip(memory, self._inputs) if len(m.shape) == len(shape) + 1]
         if out is None:
             if not counts:
@@ -154,8 +178,8 @@ class _Function:
         results = out if isinstance(out, (tuple, list)) else (out,)
         if len(results) != len(self._outputs):
             raise TypeError(f"out must have {len(self._outputs)} arrays")
-        memory += [_Memory(name, a, True, stream) for (name, _), a in zip(self._outputs, results)]
-        n = counts[0] if counts else memory[-1].shape[0]
+        memory += [_Memory(name, a, True, stream, on_host) for (name, _), a in zip(self._outputs, results)]
+        n = (counts or memory[-1].shape or (0,))[0]
         types = {m.type for m in memory}
         if len(types) != 1 or not types <= set(_LETTERS):
             raise TypeError(f"all arrays must be of float32 or all of float64, are {', '.join(sorted(types))}")
@@ -168,24 +192,12 @@ class _Function:
             size = self.workspace_size(n, memory[0].size)
             if workspace is None:
                 workspace = _empty(inputs[0], (size // memory[0].size,))
-            space = _Memory("workspace", workspace, True, stream)
+            space = _Memory("workspace", workspace, True, stream, on_host)
+            if not space.is_contiguous:
+                raise ValueError("workspace is not contiguous")
             arguments.append(_Workspace(space.data, space.size * math.prod(space.shape)))
-        function = getattr(_library(), self._symbol + _LETTERS[memory[0].type])
-        status = function(*arguments)
+        status = self._library.symbol(self._symbol + _LETTERS[memory[0].type])(*arguments)
         if status:
             raise RuntimeError(f"{self.__name__}: {_MESSAGES[status] if status < len(_MESSAGES) else status}")
         return out if not isinstance(out, tuple) or len(out) != 1 else out[0]
 
-
-_MESSAGES = (
-    "success",
-    "the number of states is negative",
-    "an array has 2^31 elements or more",
-    "a stride is too small",
-    "an array is null or misaligned",
-    "the library has no code for this device",
-    "the kernel did not start",
-    "the workspace is too small, null or misaligned",
-    "lower triangles are those of symmetric results, with tiles of all other arrays",
-)
-)PY"
