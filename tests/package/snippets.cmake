@@ -30,8 +30,32 @@ function(for_each_block guide language use count)
   set(${count} ${n} PARENT_SCOPE)
 endfunction()
 
+# Writes a URDF: links of 1 kg from the base on, each with the type of the joint that carries it and the joint's name.
+function(write_urdf file base)
+  set(inertial "<inertial><mass value='1'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial>")
+  set(text "<robot name='robot'><link name='${base}'/>")
+  set(parent ${base})
+  foreach(item IN LISTS ARGN)
+    string(REPLACE ":" ";" item ${item})
+    list(POP_FRONT item link type joint)
+    string(APPEND text "<link name='${link}'>${inertial}</link><joint name='${joint}' type='${type}'><parent link='${parent}'/>"
+                       "<child link='${link}'/><origin xyz='0 0 0.3'/><axis xyz='0 1 0'/>"
+                       "<limit lower='-1' upper='1' effort='9' velocity='9'/></joint>")
+    set(parent ${link})
+  endforeach()
+  file(WRITE ${file} "${text}</robot>\n")
+endfunction()
+
 # Copies the documents that a snippet assumes; `leg` has parameters, and the contacts are those of the quadruped.
 function(prepare folder)
+  write_urdf(${folder}/arm.urdf base upper:revolute:shoulder forearm:revolute:elbow link3:revolute:wrist tool0:fixed:flange
+             tool:fixed:grip)
+  write_urdf(${folder}/panda.urdf panda_link0 panda_link1:revolute:panda_joint1 panda_finger:prismatic:panda_finger_joint1)
+  file(WRITE ${folder}/g1.xml "<mujoco model='g1'><worldbody><body name='pelvis'>
+    <body name='upper'><joint name='left_shoulder_pitch' axis='0 1 0'/><geom size='0.1' mass='1'/>
+      <body name='lower' pos='0 0 0.3'><joint name='left_elbow' axis='0 1 0'/><geom size='0.1' mass='1'/></body></body>
+    <body name='other'><joint name='right_elbow' axis='0 1 0'/><geom size='0.1' mass='1'/></body>
+  </body></worldbody></mujoco>\n")
   foreach(robot hyl quadruped)
     file(GLOB documents ${robots}/${robot}/*.*dsl)
     file(COPY ${documents} DESTINATION ${folder})

@@ -59,7 +59,7 @@ Segment around(const std::vector<Point3>& points, std::size_t axis) {
 
 Segment smallest_around(const std::vector<Point3>& points) {
   Segment best = around(points, 0);
-  for (const std::size_t axis : {1, 2}) {
+  for (const std::size_t axis : {std::size_t{1}, std::size_t{2}}) {
     Segment other = around(points, axis);
     if (volume(other) < volume(best)) best = std::move(other);
   }

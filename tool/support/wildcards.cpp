@@ -54,15 +54,15 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 std::string nearest_to_pattern(const std::string& pattern, const std::vector<std::string>& texts) {
-  constexpr std::size_t kMaxCompared = 200;  // longer names are not worth the time
+  constexpr std::size_t kLongest = 200;  // longer names are not worth the time
   const auto wildcards = static_cast<std::size_t>(
       std::count_if(pattern.begin(), pattern.end(), [](char c) { return c == '*' || c == '?'; }));
   const std::size_t own = pattern.size() - wildcards;
-  if (own < 2 || pattern.size() > kMaxCompared) return "";
+  if (own < 2 || pattern.size() > kLongest) return "";
   std::size_t best = std::max<std::size_t>(1, own / 3) + 1;
   std::string found;
   for (const std::string& text : texts) {
-    if (text.size() > kMaxCompared) continue;
+    if (text.size() > kLongest) continue;
     const std::size_t edits = edits_to_match(pattern, text);
     if (edits >= best) continue;
     best = edits;
