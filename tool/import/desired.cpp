@@ -63,10 +63,10 @@ model::DesiredTransforms desired_transforms(
     desired::Inverse inverse = written_inverse;
     const bool has_left = resolver.resolve(inverse.pair.left), has_right = resolver.resolve(inverse.pair.right);
     if (!has_left || !has_right) continue;
-    using Kind = model::InverseTask::Kind;
-    const Kind kind = inverse.task == desired::Inverse::Task::point  ? Kind::point
-                      : inverse.task == desired::Inverse::Task::axis ? Kind::axis
-                                                                     : Kind::pose;
+    using model::InverseTask;
+    const InverseTask::Kind kind = inverse.task == desired::Inverse::Task::point  ? InverseTask::Kind::point
+                                   : inverse.task == desired::Inverse::Task::axis ? InverseTask::Kind::axis
+                                                                                  : InverseTask::Kind::pose;
     inverses.push_back(
         {inverse.pair.left.text,
          inverse.pair.right.text,
