@@ -328,12 +328,12 @@ std::vector<Declared> declared(
 
 symbolic::Program outline(const Declared& function) {
   if (!function.parts.empty()) return catalogue::fused_outline(function);
-  const auto& [is, subject, name, kernel, parts] = function;
+  const Signature& signature = function.is->signature;
+  const Subject& subject = function.subject;
   symbolic::Program program;
-  program.name = kernel;
-  std::vector<Array> inputs = is->signature.inputs;
-  if (is->signature.overloads != Overloads::none)
-    inputs.insert(inputs.end(), {catalogue::gravity, catalogue::external});
+  program.name = function.kernel;
+  std::vector<Array> inputs = signature.inputs;
+  if (signature.overloads != Overloads::none) inputs.insert(inputs.end(), {catalogue::gravity, catalogue::external});
   // An inertia factor includes the parameters.
   if (!subject.tree.parameters.empty() && (inputs.empty() || inputs.front().role != symbolic::Role::inertia_factor))
     program.inputs.push_back(
@@ -344,7 +344,7 @@ symbolic::Program outline(const Declared& function) {
       program.inputs.push_back(
           {array.name, array.role,
            std::vector<std::string>(static_cast<std::size_t>(size(array.rows) * size(array.columns)))});
-  for (const Array& array : is->signature.outputs)
+  for (const Array& array : signature.outputs)
     if (exists(array.exists, subject))
       program.outputs.push_back({array.name, array.role, size(array.rows), size(array.columns), {}});
   return program;
