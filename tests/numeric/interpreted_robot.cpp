@@ -390,22 +390,8 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     reference::Sample sample;
     const reference::AtLoops closed = draw(engine, tables, sample);
     const reference::Case c(closed.robot(), sample, i, &closed);
-    check_inverse_dynamics(robot, c, checks);
-    check_bias_forces(robot, c, checks);
+    check_functions(robot, c, checks);
     check_passive_forces(robot, c, checks);
-    check_gravity_gradient(robot, c, checks);
-    check_forward_dynamics(robot, c, checks);
-    check_round_trips(robot, c, checks);
-    check_inertia_matrix(robot, c, checks);
-    check_inertia_structure(robot, c, checks);
-    check_inertia_columns(robot, c, checks);
-    check_energy(robot, c, checks);
-    check_power(robot, c, checks);
-    check_inertia_factor(robot, c, checks);
-    check_factor_dynamics(robot, c, checks);
-    check_coriolis_matrix(robot, c, checks);
-    check_generalized_momentum(robot, c, checks);
-    if (!c.floating) check_path_dynamics(robot, c, checks);
     check_inverse_dynamics_gradient(robot, c, checks);
     if (robot.has("regressor")) {
       check_parameters_of_regressors(robot, c, checks);
@@ -419,13 +405,6 @@ reference::Checks check_all(const InterpretedRobot& robot, std::uint64_t seed, i
     check_gravity_forces_derivative(robot, c, checks);
     // Large robots lack these derivatives.
     if (robot.has("forward_dynamics_derivatives")) check_forward_dynamics_derivatives(robot, c, checks);
-    check_center_of_mass(robot, c, checks);
-    check_centroidal_momentum(robot, c, checks);
-    check_free_fall(robot, c, checks);
-    check_energies(robot, c, checks);
-    check_transforms(robot, c, checks);
-    check_jacobians(robot, c, checks);
-    check_frame_motions(robot, c, checks);
   }
   return checks;
 }

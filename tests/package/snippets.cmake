@@ -48,7 +48,7 @@ endfunction()
 
 # Copies the documents that a snippet assumes; `leg` has parameters, and the contacts are those of the quadruped.
 function(prepare folder)
-  write_urdf(${folder}/arm.urdf base upper:revolute:shoulder forearm:revolute:elbow link3:revolute:wrist tool0:fixed:flange
+  write_urdf(${folder}/arm.urdf base_link upper:revolute:shoulder forearm:revolute:elbow link3:revolute:wrist tool0:fixed:flange
              tool:fixed:grip)
   write_urdf(${folder}/panda.urdf panda_link0 panda_link1:revolute:panda_joint1 panda_finger:prismatic:panda_finger_joint1)
   file(WRITE ${folder}/g1.xml "<mujoco model='g1'><worldbody><body name='pelvis'>
@@ -122,10 +122,6 @@ file(WRITE ${shell}/pendulum.kindsl "Robot Pendulum {
   link bob { id = 1  inertia_params { mass = 1.0 CoM = (0.5, 0.0, 0.0) Ix = 0.0 Iy = 0.3 Iz = 0.3 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }
   r_joint swing { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (PI / 2.0, 0.0, 0.0) } }
 }")
-file(READ ${robots}/ros2/demo_arm.urdf arm)
-string(REPLACE "base\"" "base_link\"" arm "${arm}")
-string(REPLACE "</robot>" "<link name=\"tool\"/><joint name=\"flange\" type=\"fixed\"><parent link=\"forearm\"/><child link=\"tool\"/></joint></robot>" arm "${arm}")
-file(WRITE ${shell}/arm.urdf "${arm}")
 file(WRITE ${shell}/states.jsonl "{\"q\": [0.1, 0.2, 0.3]}\n{\"q\": [0, 0, 0]}\n")
 
 function(run_shell block)

@@ -139,10 +139,9 @@ auto branch_positions(const Branches& branches, const Joints& joints, const Type
 }
 
 // The branch that exists, is within limits (up to 1e-9 rad or m; 1e-5 in single precision), and is nearest to the
-// reference: the sum of 2 - 2 cos(q - reference) over
-// joints that turn, and of squared distances over those that slide, is least. Angles of the result are within limits,
-// and otherwise nearest to the reference, which may be several turns away from zero. Only its arc tangents are
-// computed.
+// reference: the sum of 2 - 2 cos(q - reference) over joints that turn, and of squared distances over those that slide,
+// is least. Angles of the result are within limits, and otherwise nearest to the reference, which may be several turns
+// away from zero. Only its arc tangents are computed.
 template <class Branches, class Joints, class Types, class Limits, class JointState>
 NearestBranch<JointState> nearest_branch(
     const Branches& branches,

@@ -178,7 +178,7 @@ class BenchStates {
 
   // The largest difference from the same text on the host in double precision, as a multiple of the tolerance: eight
   // times the stated rounding error, relative to the largest element of an array in the state, or to a quarter of the
-  // root mean square of that over the states. NaN on both sides is no difference.
+  // root mean square of that over the states. NaN on both sides counts as equal.
   double worst() const {
     double worst = 0;
     const std::vector<std::vector<std::vector<double>>> states = on_host();  // by state, by array
