@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "driver/candidates.h"
+#include "driver/formulations.h"
 #include "driver/derivatives.h"
 #include "driver/driver.h"
 #include "driver/find_function.h"

@@ -4,7 +4,12 @@
 
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <new>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "command/command_line.h"
 #include "command/output.h"
@@ -31,11 +36,22 @@ Status run_and_report(int argc, char** argv) {
   }
 }
 
+// Programs are made and dropped by the hundred. Memory that goes back to the system between them comes back as page
+// faults, a fifth of the generator's time.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_TOP_PAD, 16 << 20);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 }  // namespace
 }  // namespace robcogen::command
 
 int main(int argc, char** argv) {
   using namespace robcogen::command;
+  keep_freed_memory();
   prepare_streams();
   return close_streams(run_and_report(argc, argv));
 }

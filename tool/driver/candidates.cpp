@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
-#include "driver/derivatives.h"
-#include "driver/fused_functions.h"
 #include "pass/passes.h"
 #include "support/parallel.h"
 #include "symbolic/cost.h"
@@ -15,8 +15,7 @@
 namespace robcogen::driver {
 namespace {
 
-using algorithm::Formulation;
-using algorithm::FormulationChoices;
+using algorithm::Search;
 using symbolic::AccurateResults;
 
 const char* name_of(Formulated formulated) {
@@ -48,9 +47,10 @@ void choose_candidate(
     Formulations& formulations,
     const Passes& passes) {
   symbolic::Function first = traced(function, formulations.of(Formulated::searched));
-  function.results = std::make_shared<const AccurateResults>(
-      has_formulation(function) ? traced(function, formulations.of(Formulated::reference)).program : first.program,
-      parameters);
+  if (!function.results)
+    function.results = std::make_shared<const AccurateResults>(
+        has_formulation(function) ? traced(function, formulations.of(Formulated::reference)).program : first.program,
+        parameters);
   bool is_first = true;
   Candidate chosen = choose(recipes(passes), *function.results, [&](const Recipe& recipe) {
     symbolic::Function made = is_first ? std::move(first) : traced(function, formulations.of(recipe.formulated));
@@ -62,52 +62,31 @@ void choose_candidate(
   static_cast<symbolic::Function&>(function) = std::move(chosen.function);
 }
 
-}  // namespace
-
-bool has_formulation(const Function& function) {
-  return !function.derivatives_in_turn.empty() || algorithm::is_formulated(*function.declared);
+bool is_fused(const Function& function) {
+  return !function.declared->parts.empty();
 }
+
+// The search on which a function's frames depend; those of a fused function depend on its parts.
+Search search_of(const Function& function) {
+  return function.declared->is->program.search;
+}
+
+// The functions for which an effort is chosen: the first one with each search, and each fused one.
+std::vector<std::size_t> first_of_searches(const std::vector<Function>& functions) {
+  std::vector<std::size_t> result;
+  std::set<Search> known;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const Function& function = functions[i];
+    if (!has_formulation(function)) continue;
+    if (is_fused(function) || known.insert(search_of(function)).second) result.push_back(i);
+  }
+  return result;
+}
+
+}  // namespace
 
 std::string print(const Recipe& recipe) {
   return fmt::format("{}: {}", name_of(recipe.formulated), fmt::join(recipe.passes, ", "));
-}
-
-Formulations::Formulations(const Robot& robot, const Formulation& of_steps)
-    : robot_(robot), of_steps_(of_steps), searched_(robot.tree, of_steps) {}
-
-FormulationChoices& Formulations::of(Formulated formulated) {
-  const auto with = [&](Formulation formulation, auto change) {
-    change(formulation);
-    return std::make_unique<FormulationChoices>(robot_.tree, formulation);
-  };
-  const auto for_congruent_limbs = [](FormulationChoices& original) {
-    return std::unique_ptr<FormulationChoices>(
-        new FormulationChoices(FormulationChoices::for_congruent_limbs(original)));
-  };
-  switch (formulated) {
-    case Formulated::searched:
-      break;
-    case Formulated::unsearched:
-      return *unsearched_.get([&] { return with(of_steps_, [](Formulation& f) { f.effort = 0; }); });
-    case Formulated::plainly:
-      return *plainly_.get([&] { return with(algorithm::plain_formulation(), [](Formulation&) {}); });
-    case Formulated::reference:
-      return *reference_.get(
-          [&] { return with(algorithm::plain_formulation(), [](Formulation& f) { f.is_draft = true; }); });
-    case Formulated::for_lanes:
-      return *for_lanes_.get([&] { return for_congruent_limbs(searched_); });
-    case Formulated::unsearched_for_lanes:
-      return *unsearched_for_lanes_.get([&] { return for_congruent_limbs(of(Formulated::unsearched)); });
-  }
-  return searched_;
-}
-
-symbolic::Function traced(const Function& function, FormulationChoices& choices) {
-  symbolic::Function result = algorithm::trace(*function.declared, choices);
-  if (!result.parts.empty()) require_compilable(result);
-  for (const Derivative* derivative : function.derivatives_in_turn)
-    result = differentiated(std::move(result), *derivative, *function.declared, choices);
-  return result;
 }
 
 std::vector<std::vector<Recipe>> recipes(const Passes& passes) {
@@ -141,10 +120,45 @@ Candidate choose(
   return last;
 }
 
-Functions choose_candidates(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes) {
+Functions choose_candidates(
+    const Robot& robot,
+    Functions functions,
+    FormulationsByEffort& formulations,
+    const Passes& passes,
+    const CostOfPrinted& cost) {
+  std::vector<Function>& list = functions.list;
   const std::vector<double> parameters = algorithm::parameter_values(robot.tree);
-  for_each_index(functions.list.size(), [&](std::size_t i) {
-    choose_candidate(functions.list[i], parameters, formulations, passes);
+  const auto choose_with = [&](int effort, Function& function) {
+    function.effort = effort;
+    choose_candidate(function, parameters, formulations.with(effort), passes);
+  };
+  const std::vector<int>& efforts = formulations.efforts();
+  std::vector<bool> is_chosen(list.size(), false);
+  std::map<Search, int> effort_of;
+  if (cost && efforts.size() > 1) {
+    const std::vector<std::size_t> firsts = first_of_searches(list);
+    for_each_index(firsts.size(), [&](std::size_t k) {
+      Function& function = list[firsts[k]];
+      const Function declared = function;
+      choose_with(efforts.front(), function);
+      int least = cost(function);
+      for (auto effort = efforts.begin() + 1; effort != efforts.end(); ++effort) {
+        Function other = declared;
+        other.results = function.results;
+        choose_with(*effort, other);
+        const int of_other = cost(other);
+        if (of_other < least) function = std::move(other), least = of_other;
+      }
+    });
+    for (const std::size_t i : firsts) {
+      is_chosen[i] = true;
+      if (!is_fused(list[i])) effort_of[search_of(list[i])] = list[i].effort;
+    }
+  }
+  for_each_index(list.size(), [&](std::size_t i) {
+    if (is_chosen[i]) return;
+    const auto found = effort_of.find(search_of(list[i]));
+    choose_with(found == effort_of.end() ? efforts.front() : found->second, list[i]);
   });
   return functions;
 }

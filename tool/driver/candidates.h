@@ -2,26 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "driver/functions.h"
-#include "support/lazy.h"
+#include "driver/formulations.h"
 
 namespace robcogen::driver {
 
 using Passes = std::vector<std::string>;
-
-// The formulation in which a function is traced.
-enum class Formulated {
-  searched,    // with the choices of the steps, in searched link frames
-  unsearched,  // with the same choices, in the frames of the model
-  plainly,     // the textbook algorithm
-  reference,   // the same without names, for results to compare with
-  for_lanes,   // as searched, but congruent limbs fold in the same way
-  unsearched_for_lanes,
-};
 
 // A candidate before it is traced: the formulation, and the passes that run on the program.
 struct Recipe {
@@ -32,29 +20,6 @@ struct Recipe {
 
 // `searched: fold, reassociate`
 std::string print(const Recipe& recipe);
-
-// The choices of each formulation of a robot, made when they are first needed.
-class Formulations {
- public:
-  Formulations(const Robot& robot, const algorithm::Formulation& of_steps);
-
-  algorithm::FormulationChoices& of(Formulated formulated);
-  // Whether link frames are searched for, so that searched and unsearched formulations may differ.
-  bool are_searched() const { return of_steps_.effort > 0; }
-
- private:
-  const Robot& robot_;
-  algorithm::Formulation of_steps_;
-  algorithm::FormulationChoices searched_;
-  Lazy<std::unique_ptr<algorithm::FormulationChoices>> unsearched_, plainly_, reference_, for_lanes_,
-      unsearched_for_lanes_;
-};
-
-// Whether a function's program depends on the formulation.
-bool has_formulation(const Function& function);
-
-// The function as one formulation traces it.
-symbolic::Function traced(const Function& function, algorithm::FormulationChoices& choices);
 
 struct Candidate {
   Recipe recipe;
@@ -72,7 +37,16 @@ Candidate choose(
     const symbolic::AccurateResults& results,
     const std::function<symbolic::Function(const Recipe&)>& make);
 
-// Chooses among the candidates of each function of a robot.
-Functions choose_candidates(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes);
+// The cost of a function as it will be printed. It may complete the function for that.
+using CostOfPrinted = std::function<int(Function&)>;
+
+// Chooses among the candidates of each function of a robot. The effort of each search for link frames is the one with
+// which the first function that has this search costs least, of equal ones the most; without `cost` that of the steps.
+Functions choose_candidates(
+    const Robot& robot,
+    Functions functions,
+    FormulationsByEffort& formulations,
+    const Passes& passes,
+    const CostOfPrinted& cost);
 
 }  // namespace robcogen::driver

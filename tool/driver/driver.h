@@ -2,8 +2,8 @@
 //
 //     load -> declare -> choose -> variants -> assemble -> print
 //
-// Each phase is a function from one value to the next (load.h, declare.h, candidates.h, optimise.h, library.h,
-// backend/languages.h).
+// Each phase is a function from one value to the next (load.h, declare.h, formulations.h, candidates.h, optimise.h,
+// library.h, backend/languages.h).
 // Robots and documents of coordinate transforms pass through the same phases.
 #pragma once
 

@@ -21,6 +21,8 @@ struct Function : symbolic::Function {
 
   // The results against which rounding errors are measured, if they are.
   std::shared_ptr<const symbolic::AccurateResults> results = {};
+  // Of a robot: the effort of the search for its link frames.
+  int effort = 0;
   // Of a robot: the first candidate was chosen.
   bool is_first_choice = false;
   bool is_stage = false;  // computes the right-hand sides of another function

@@ -25,7 +25,6 @@ struct InLanes {
   pass::Packed packed;
   int starts = 0;      // half cycles in which its instructions start: calls in a row do not wait for the critical path
   std::string method;  // how it is computed
-  bool is_searched = true;
 };
 
 class LanesOfFunction {
@@ -45,16 +44,14 @@ class LanesOfFunction {
   }
 
   // The fastest program with lanes that keeps the digits of the plain formulation; nullopt if there is none that is
-  // clearly faster than the program without lanes. Programs without searched link frames are candidates too, if the
-  // others are to be compared with them or lose digits.
-  std::optional<InLanes> choose(bool compares) {
-    add(function_.program, function_.method, true);
+  // clearly faster than the program without lanes. If all others lose digits, those without searched link frames are
+  // candidates, too.
+  std::optional<InLanes> choose() {
+    add(function_.program, function_.method);
     const bool has_others = function_.results && !has_parameters_;
     if (has_others && function_.is_first_choice) add_congruent(Formulated::for_lanes);
-    const bool is_searched = has_others && has_formulation(function_) && formulations_.are_searched();
-    if (is_searched && compares) add_unsearched();
     std::optional<InLanes> best = fastest();
-    if (best || compares || !is_searched) return best;
+    if (best || !has_others || !has_formulation(function_) || !formulations_.are_searched()) return best;
     add_unsearched();
     return fastest();
   }
@@ -74,11 +71,11 @@ class LanesOfFunction {
   std::vector<pass::InputTuples> classes_;
   std::vector<InLanes> found_;
 
-  void add(const Program& program, const std::string& method, bool is_searched) {
+  void add(const Program& program, const std::string& method) {
     std::optional<pass::Packed> packed = pass::pack_lanes_within(program, classes_, time_);
     if (!packed) return;
     const symbolic::Cost cost = symbolic::cost(packed->program);
-    found_.push_back({std::move(*packed), weighted(cost, symbolic::kStarts), method, is_searched});
+    found_.push_back({std::move(*packed), weighted(cost, symbolic::kStarts), method});
   }
 
   // Adds the program of a formulation in which congruent limbs fold in the same way, if it is a different program.
@@ -88,14 +85,14 @@ class LanesOfFunction {
     symbolic::Function other = traced(function_, choices);
     if (!algorithm::folds_like_others(other.program)) return false;
     const Program program = pass::with_plain_numbers(pass::run(std::move(other.program), passes_));
-    add(program, other.method, formulated == Formulated::for_lanes);
+    add(program, other.method);
     return true;
   }
 
   void add_unsearched() {
     if (add_congruent(Formulated::unsearched_for_lanes)) return;
     symbolic::Function other = traced(function_, formulations_.of(Formulated::unsearched));
-    add(pass::run(std::move(other.program), passes_), other.method, false);
+    add(pass::run(std::move(other.program), passes_), other.method);
   }
 
   std::optional<InLanes> fastest() {
@@ -107,54 +104,21 @@ class LanesOfFunction {
   }
 };
 
-algorithm::Search search_of(const Function& function) {
-  return function.is_stage ? algorithm::Search::none : function.declared->is->program.search;
-}
-
-// By function: whether it is the first one with its search for link frames. Parts of fused functions may differ in it.
-std::vector<bool> are_first_of_search(const std::vector<Function>& functions) {
-  std::vector<bool> result;
-  std::set<algorithm::Search> known;
-  for (const Function& function : functions)
-    result.push_back(
-        !function.is_stage && (!function.declared->parts.empty() || known.insert(search_of(function)).second));
-  return result;
-}
-
 }  // namespace
 
-Functions pack_lanes(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes) {
+void pack_lanes(const Robot& robot, Function& function, Formulations& formulations, const Passes& passes) {
   const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
-  if (limbs.empty()) return functions;
-  const auto pack = [&](Function& function, bool compares) {
-    LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
-    std::optional<InLanes> best = lanes.choose(compares);
-    if (!best) {
-      function.without_lanes = lanes.reason();
-      return false;
-    }
-    for (std::size_t c = 0; c < limbs.size(); ++c)
-      if (best->packed.in_lanes[c])
-        function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
-    function.in_lanes = std::move(best->packed.program);
-    function.method = std::move(best->method);
-    return !best->is_searched;
-  };
-  // What the search for link frames gains in scalar programs may be a loss in lanes. The first function of each search
-  // is compared with the same function without it, and decides whether the others are.
-  const std::vector<bool> is_first = are_first_of_search(functions.list);
-  std::vector<char> lost(functions.list.size(), false);
-  for_each_index(functions.list.size(), [&](std::size_t i) {
-    if (is_first[i]) lost[i] = pack(functions.list[i], true);
-  });
-  std::set<algorithm::Search> searches;
-  for (std::size_t i = 0; i < lost.size(); ++i)
-    if (lost[i]) searches.insert(search_of(functions.list[i]));
-  for_each_index(functions.list.size(), [&](std::size_t i) {
-    Function& function = functions.list[i];
-    if (!is_first[i]) pack(function, searches.count(search_of(function)) > 0);
-  });
-  return functions;
+  if (limbs.empty() || function.in_lanes || !function.without_lanes.empty()) return;
+  LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
+  std::optional<InLanes> best = lanes.choose();
+  if (!best) {
+    function.without_lanes = lanes.reason();
+    return;
+  }
+  for (std::size_t c = 0; c < limbs.size(); ++c)
+    if (best->packed.in_lanes[c]) function.limbs_in_lanes.push_back(fmt::format("{}", fmt::join(limbs[c].names, ", ")));
+  function.in_lanes = std::move(best->packed.program);
+  function.method = std::move(best->method);
 }
 
 }  // namespace robcogen::driver

@@ -5,7 +5,8 @@
 
 namespace robcogen::driver {
 
-// Packs congruent limbs into lanes for the functions that this makes faster, and that keep their digits.
-Functions pack_lanes(const Robot& robot, Functions functions, Formulations& formulations, const Passes& passes);
+// Packs congruent limbs into lanes if this makes the function faster, and if it keeps its digits. Nothing changes if
+// that has been tried.
+void pack_lanes(const Robot& robot, Function& function, Formulations& formulations, const Passes& passes);
 
 }  // namespace robcogen::driver

@@ -24,6 +24,11 @@ symbolic::Function function_of(const char* group, symbolic::Program program, std
   return function;
 }
 
+// The half cycles in which the instructions of a program start.
+int starts(const symbolic::Program& program) {
+  return weighted(symbolic::cost(program), symbolic::kStarts);
+}
+
 Functions run_passes(Functions functions, const Passes& passes) {
   for_each_index(functions.list.size(), [&](std::size_t i) {
     symbolic::Program& program = functions.list[i].program;
@@ -131,13 +136,21 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   const Robot* robot = model.robot();
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
-  Formulations formulations(*robot, steps.formulation());
-  functions = choose_candidates(*robot, std::move(functions), formulations, splits ? Passes() : passes);
+  const bool has_lanes = features.has_lanes && steps.has_lanes();
+  FormulationsByEffort formulations(*robot, steps.formulation());
+  const auto pack = [&](Function& function) {
+    pack_lanes(*robot, function, formulations.with(function.effort), passes);
+  };
+  const CostOfPrinted cost = [&](Function& function) {
+    if (has_lanes && !function.solved) pack(function);
+    return starts(function.in_lanes ? *function.in_lanes : function.program);
+  };
+  functions = choose_candidates(
+      *robot, std::move(functions), formulations, splits ? Passes() : passes, splits ? CostOfPrinted() : cost);
   functions = choose_column_loops(std::move(functions), features.column_loops);
   functions = separate_right_sides(std::move(functions), splits ? Passes() : passes, passes);
   if (splits) functions = split_parameters(*robot, std::move(functions), passes);
-  if (features.has_lanes && steps.has_lanes())
-    functions = pack_lanes(*robot, std::move(functions), formulations, passes);
+  if (has_lanes) for_each_index(functions.list.size(), [&](std::size_t i) { pack(functions.list[i]); });
   // Quaternions have no sines, and joints that follow others are not coordinates.
   if (features.takes_sines && robot->tree.position_count() == robot->tree.dof())
     functions = split_angles(*robot, std::move(functions));

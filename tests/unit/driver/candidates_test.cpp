@@ -1,6 +1,8 @@
 // Passes keep the accuracy of the plain recursions; candidates that lose digits are followed by others.
 #include "driver/candidates.h"
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,14 +23,15 @@ using symbolic::Program;
 struct Inverse {
   Model model = rods();
   Functions functions = declare(model, {"inverse_dynamics"});
-  Formulations formulations{*model.robot(), Steps().formulation()};
+  FormulationsByEffort by_effort{*model.robot(), Steps().formulation()};
+  Formulations& formulations = by_effort.with(1);
 
   Program program(Formulated formulated) { return traced(functions.list.at(0), formulations.of(formulated)).program; }
 };
 
 TEST(Candidates, TheFirstOneIsWhatThePassesMake) {
   Inverse f;
-  const Functions after = choose_candidates(*f.model.robot(), f.functions, f.formulations, pass::names());
+  const Functions after = choose_candidates(*f.model.robot(), f.functions, f.by_effort, pass::names(), {});
   ASSERT_EQ(after.list.size(), f.functions.list.size());
   const Function& chosen = after.list.front();
   EXPECT_EQ(chosen.name, f.functions.list.front().name);
@@ -36,6 +39,30 @@ TEST(Candidates, TheFirstOneIsWhatThePassesMake) {
   EXPECT_TRUE(chosen.is_first_choice);
   ASSERT_TRUE(chosen.results && chosen.error);
   EXPECT_EQ(chosen.results->error_of(chosen.program).in_double, chosen.error->in_double);
+}
+
+// Each search takes the effort with which its first function costs least, and of equal ones the most.
+TEST(Candidates, TakeTheEffortThatCostsLeast) {
+  Inverse f;
+  FormulationsByEffort by_effort(*f.model.robot(), Steps{.effort = 5}.formulation());
+  EXPECT_EQ(by_effort.efforts(), (std::vector<int>{5, 2, 1, 0}));
+  const Functions declared = declare(f.model, {"inverse_dynamics", "joint_space_inertia", "transforms"});
+  const auto efforts_if = [&](const CostOfPrinted& cost) {
+    std::map<algorithm::Search, std::set<int>> efforts;
+    for (const Function& function : choose_candidates(*f.model.robot(), declared, by_effort, pass::names(), cost).list)
+      efforts[function.declared->is->program.search].insert(function.effort);
+    return efforts;
+  };
+  using algorithm::Search;
+  using Efforts = std::map<Search, std::set<int>>;
+  const auto inertia_at_two = [](const Function& function) {
+    return function.name == "joint_space_inertia" && function.effort == 2 ? 0 : 1;
+  };
+  EXPECT_EQ(
+      efforts_if(inertia_at_two), (Efforts{{Search::newton_euler, {5}}, {Search::inertia, {2}}, {Search::none, {5}}}));
+  EXPECT_EQ(efforts_if({}), (Efforts{{Search::newton_euler, {5}}, {Search::inertia, {5}}, {Search::none, {5}}}));
+  const auto less_is_better = [](const Function& function) { return function.effort; };
+  EXPECT_EQ(efforts_if(less_is_better).at(Search::newton_euler), std::set<int>{0});
 }
 
 // A large number is added and subtracted again: the result is mathematically the same, but eight digits are lost.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "documents.h"
-#include "driver/candidates.h"
+#include "driver/formulations.h"
 #include "driver/failure.h"
 #include "driver/steps.h"
 #include "symbolic/cost.h"

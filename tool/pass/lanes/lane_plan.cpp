@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 
 #include "pass/statements.h"
@@ -16,8 +17,19 @@ using symbolic::Operand;
 using symbolic::Program;
 using symbolic::Statement;
 
-// The kind and index of each lane; -1: no such lane.
-using LaneKey = std::array<std::pair<Operand::Kind, int>, at(kMaxLanes)>;
+// The kind and index of each lane as one number; 0: no such lane.
+using LaneKey = std::array<std::uint64_t, at(kMaxLanes)>;
+
+struct HashOfLanes {
+  std::size_t operator()(const LaneKey& key) const {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t lane : key) hash = (hash ^ lane) * 0x9e3779b97f4a7c15ULL, hash ^= hash >> 32;
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+// So many packed values are never too many.
+constexpr std::size_t kFew = 100;
 
 // Chooses the values that are packed.
 class LanePacker {
@@ -31,10 +43,12 @@ class LanePacker {
     plan_.scalars.resize(p.statements.size());
   }
 
-  LanePlan run() {
+  // nullopt if there are many more packed values than statements: the limbs are too different for a gain, and their
+  // values would be packed in more and more combinations.
+  std::optional<LanePlan> run() {
     for (const symbolic::OutputArray& array : p_.outputs) pack_outputs(array);
     pack_across_outputs();
-    expand_all();
+    if (!expand_all()) return std::nullopt;
     return std::move(plan_);
   }
 
@@ -45,7 +59,7 @@ class LanePacker {
   std::vector<bool> inner_;
   Correspondence correspondence_;
   LanePlan plan_;
-  std::map<LaneKey, int> known_;
+  std::unordered_map<LaneKey, int, HashOfLanes> known_;
   std::vector<int> pending_packed_, pending_scalars_;
   std::vector<std::vector<Operand>> lists_;  // of expand_packed: allocated once for all packed values
 
@@ -106,12 +120,12 @@ class LanePacker {
 
   Part part(Tuple tuple) {
     Part result;
-    LaneKey key;
-    key.fill({Operand::Kind::constant, -1});
+    LaneKey key = {};
     for (std::size_t lane = 0; lane < tuple.size(); ++lane) {
       if (tuple[lane].negative) result.negated_lanes |= 1U << lane;
       tuple[lane].negative = false;
-      key[lane] = {tuple[lane].kind, tuple[lane].index};
+      const auto kind = static_cast<std::uint64_t>(tuple[lane].kind);
+      key[lane] = (kind + 1) << 32 | static_cast<std::uint64_t>(tuple[lane].index);
     }
     const auto [place, fresh] = known_.try_emplace(key, static_cast<int>(plan_.packed_values.size()));
     result.packed_value = place->second;
@@ -143,8 +157,10 @@ class LanePacker {
   }
 
   // Expands packed values first, because scalars that turn out to be lanes of them need not be computed separately.
-  void expand_all() {
+  // False if there are too many.
+  bool expand_all() {
     while (!pending_packed_.empty() || !pending_scalars_.empty()) {
+      if (plan_.packed_values.size() > p_.statements.size() + kFew) return false;
       if (!pending_packed_.empty()) {
         const int packed_value = pending_packed_.back();
         pending_packed_.pop_back();
@@ -155,6 +171,7 @@ class LanePacker {
       pending_scalars_.pop_back();
       if (plan_.scalars[at(s)].packed_value < 0) expand_scalar(s);
     }
+    return true;
   }
 
   void expand_packed(std::size_t w) {
@@ -304,8 +321,8 @@ std::optional<LanePlan> lane_plan(
     const Program& program,
     const std::vector<InputTuples>& classes,
     const Operand& zero) {
-  LanePlan plan = LanePacker(program, classes, zero).run();
-  if (!order_values(program, plan)) return std::nullopt;
+  std::optional<LanePlan> plan = LanePacker(program, classes, zero).run();
+  if (!plan || !order_values(program, *plan)) return std::nullopt;
   return plan;
 }
 

@@ -55,7 +55,8 @@ struct LanePlan {
   int scalar_count() const { return static_cast<int>(scalars.size()); }
 };
 
-// `zero`: the constant that fills up limbs with fewer operands. nullopt if values would depend on each other.
+// `zero`: the constant that fills up limbs with fewer operands. nullopt if values would depend on each other, or if
+// the limbs have too little in common.
 std::optional<LanePlan> lane_plan(
     const symbolic::Program& program,
     const std::vector<InputTuples>& classes,
