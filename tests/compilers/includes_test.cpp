@@ -121,11 +121,40 @@ std::string without_literals(const std::string& text) {
   return test::replaced(text, literal, "\"\"");
 }
 
+using Names = std::set<std::string>;
+
 struct File {
-  std::string text;                // without includes, literals and comments
-  std::vector<std::string> own;    // files of the generator that it includes
-  std::set<std::string> packaged;  // other headers
+  std::string text;              // without includes, literals and comments
+  std::vector<std::string> own;  // files of the generator that it includes
+  Names packaged;                // other headers
+  Names declared;                // functions, variables and pointers to functions
 };
+
+// The names that a text declares, in any scope: functions, variables and pointers to functions.
+Names declared_in(const std::string& text) {
+  static const Names words_before_calls = {"return", "else", "throw", "case"};
+  Names result;
+  for (const test::Match& found : test::all_matches(text, R"(([\w>]+)[&*]*\s[&*]?(\w+)( = |[(,;)]))"))
+    if (words_before_calls.count(found[1]) == 0) result.insert(found[2]);
+  for (const test::Match& found : test::all_matches(text, R"(\(\*(\w+)\)\()")) result.insert(found[1]);
+  return result;
+}
+
+// The functions that a header declares for all who include it: those that stand at the beginning of a line.
+Names offered_by(const std::string& header) {
+  Names result;
+  std::istringstream lines(header);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto found = test::first_match(line, R"(^\w[^(=]*[\w>][&*]*\s[&*]?(\w+)\()")) result.insert((*found)[1]);
+  return result;
+}
+
+// The functions that a text calls without a scope or an object before them.
+Names called_in(const std::string& text) {
+  Names result;
+  for (const test::Match& found : test::all_matches(text, R"((^|[^\w.>:])([a-z]\w*)\()")) result.insert(found[2]);
+  return result;
+}
 
 File read(const fs::path& path) {
   File file;
@@ -141,6 +170,7 @@ File read(const fs::path& path) {
       file.own.push_back((*include)[2]);
   }
   file.text = without_literals(text);
+  file.declared = declared_in(file.text);
   return file;
 }
 
@@ -156,16 +186,17 @@ Files files_of_the_tool() {
   return files;
 }
 
-// Adds the packaged headers that a file includes, directly or through the generator's own files.
-void add_packaged(
-    const Files& files,
-    const std::string& name,
-    std::set<std::string>& visited,
-    std::set<std::string>& result) {
+// Adds the name of a file of the generator, and of those that it includes, directly or through others.
+void add_included(const Files& files, const std::string& name, Names& result) {
   const auto found = files.find(name);
-  if (found == files.end() || !visited.insert(name).second) return;
-  result.insert(found->second.packaged.begin(), found->second.packaged.end());
-  for (const std::string& own : found->second.own) add_packaged(files, own, visited, result);
+  if (found == files.end() || !result.insert(name).second) return;
+  for (const std::string& own : found->second.own) add_included(files, own, result);
+}
+
+Names included_by(const Files& files, const std::string& name) {
+  Names result;
+  add_included(files, name, result);
+  return result;
 }
 
 // Returns the names in the file whose headers are not included, and those that are not in the table, in alphabetical
@@ -185,16 +216,57 @@ std::set<std::string> missing(const std::string& text, const std::set<std::strin
   return result;
 }
 
-using Names = std::set<std::string>;
+// Returns the functions of this list that a file calls, although neither it nor what it includes declares them.
+Names undeclared(const Files& files, const std::string& name, const Names& offered) {
+  Names result;
+  const Names included = included_by(files, name);
+  for (const std::string& called : called_in(files.at(name).text))
+    if (offered.count(called) > 0 && std::none_of(included.begin(), included.end(), [&](const std::string& other) {
+          return files.at(other).declared.count(called) > 0;
+        }))
+      result.insert(called);
+  return result;
+}
 
 TEST(Includes, AreThoseOfWhatAFileUses) {
   const Files files = files_of_the_tool();
   ASSERT_GT(files.size(), 400u);
   for (const auto& [name, file] : files) {
-    std::set<std::string> visited, included;
-    add_packaged(files, name, visited, included);
-    EXPECT_EQ(missing(file.text, included), Names()) << name;
+    Names packaged;
+    for (const std::string& included : included_by(files, name))
+      packaged.insert(files.at(included).packaged.begin(), files.at(included).packaged.end());
+    EXPECT_EQ(missing(file.text, packaged), Names()) << name;
   }
+}
+
+// Names with an underscore, because the others are often those of members and variables, too.
+TEST(Includes, DeclareTheFunctionsThatAFileCalls) {
+  const Files files = files_of_the_tool();
+  Names offered;
+  for (const auto& [name, file] : files)
+    if (fs::path(name).extension() == ".h")
+      for (const std::string& function : offered_by(file.text))
+        if (function.find('_') != std::string::npos) offered.insert(function);
+  ASSERT_GT(offered.size(), 400u);
+  for (const auto& [name, file] : files) EXPECT_EQ(undeclared(files, name, offered), Names()) << name;
+}
+
+TEST(Includes, DeclareCalledFunctionsDirectlyOrThroughOthers) {
+  const auto file = [](const std::string& text, const std::vector<std::string>& own) {
+    return File{text, own, {}, declared_in(text)};
+  };
+  const Files files = {
+      {"a.h", file("int* one_more(int n);\n", {})},
+      {"b.h", file("", {"a.h"})},
+      {"with.cpp", file("int n = one_more(2);", {"b.h"})},
+      {"without.cpp", file("int f() { return one_more(2); }", {})},
+      {"own.cpp", file("const auto one_more = [] {};  one_more();", {})},
+      {"member.cpp", file("x.one_more(); y->one_more(); z::one_more();", {})}};
+  EXPECT_EQ(offered_by(files.at("a.h").text), Names{"one_more"});
+  EXPECT_EQ(undeclared(files, "with.cpp", {"one_more"}), Names());
+  EXPECT_EQ(undeclared(files, "without.cpp", {"one_more"}), Names{"one_more"});
+  EXPECT_EQ(undeclared(files, "own.cpp", {"one_more"}), Names());
+  EXPECT_EQ(undeclared(files, "member.cpp", {"one_more"}), Names());
 }
 
 TEST(Includes, AreMissedWhereThereAreNone) {

@@ -1,8 +1,10 @@
 // Terms that controllers need of the equation of motion H qdd + C qd + g = tau.
+#include "algorithm/dynamics/drives.h"
 #include "algorithm/dynamics/dynamics.h"
 #include "algorithm/dynamics/gravity.h"
 #include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/newton_euler.h"
+#include "algorithm/spatial/couplings.h"
 #include "algorithm/spatial/named.h"
 
 namespace robcogen::algorithm {

@@ -114,10 +114,11 @@ class Descent {
   LinkFrames frames_;
   std::vector<LinkFrames> history_;
 
-  // The trial of the joint's limb in these frames. Repeated trials count too, because the bound limits the trials.
+  // The trial of the joint's limb in these frames. A repeated trial is not traced again, so it does not count.
   Trial& tried(int joint, const LinkFrames& frames) {
     Trial& trial = trials_.of(joint, frames);
-    left_ -= trial.cost.statements;
+    if (!trial.is_counted) left_ -= trial.cost.statements;
+    trial.is_counted = true;
     return trial;
   }
 

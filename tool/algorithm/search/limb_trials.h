@@ -21,6 +21,7 @@ using TraceOf = std::function<void(Trace&, const Formulation&)>;
 struct Trial {
   symbolic::TracedCost cost;
   std::optional<bool> keeps_digits = {};  // set when it is first requested
+  bool is_counted = false;                // among the statements of the search
 };
 
 // The trials of one limb.
