@@ -18,14 +18,15 @@
 # A check that is impossible, for lack of stack reports or of nm, is skipped with a message.
 cmake_minimum_required(VERSION 3.22...3.25)
 
-# Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection,
-# position-independent code.
+# Mathematics, copying and clearing of memory, detection of the processor (before main), stack protection, touching each
+# page of a large frame on Windows, position-independent code.
 set(allowed
     "sin|cos|tan|sincos|atan2|sqrt"
     "sinf|cosf|tanf|sincosf|atan2f|sqrtf"
     "memcpy|memset|memmove"
     "__cpu_model|__cpu_indicator_init"
     "__stack_chk_fail|__stack_chk_guard|__stack_chk_fail_local"
+    "___chkstk_ms"
     "_GLOBAL_OFFSET_TABLE_")
 # Symbols of the user's instrumentation. Its frames are not those of the plain library.
 set(instrumentation "__(asan|ubsan|msan|tsan|sanitizer|gcov|llvm_profile|llvm_gcov)_.*")
