@@ -132,33 +132,36 @@ Functions choose_candidates(
     function.effort = effort;
     choose_candidate(function, parameters, formulations.with(effort), passes);
   };
-  const std::vector<int>& efforts = formulations.efforts();
-  std::vector<bool> is_chosen(list.size(), false);
-  std::map<Search, int> effort_of;
-  if (cost && efforts.size() > 1) {
+  const auto choose_among = [&](const std::vector<int>& efforts, Function& function) {
+    const Function declared = function;
+    choose_with(efforts.front(), function);
+    if (efforts.size() == 1) return;
+    int least = cost(function);
+    for (auto effort = efforts.begin() + 1; effort != efforts.end(); ++effort) {
+      Function other = declared;
+      other.results = function.results;
+      choose_with(*effort, other);
+      const int of_other = cost(other);
+      if (of_other < least) function = std::move(other), least = of_other;
+    }
+  };
+  const int most = formulations.efforts().front();
+  std::vector<std::vector<int>> efforts(list.size(), {most});
+  if (cost) {
     const std::vector<std::size_t> firsts = first_of_searches(list);
-    for_each_index(firsts.size(), [&](std::size_t k) {
-      Function& function = list[firsts[k]];
-      const Function declared = function;
-      choose_with(efforts.front(), function);
-      int least = cost(function);
-      for (auto effort = efforts.begin() + 1; effort != efforts.end(); ++effort) {
-        Function other = declared;
-        other.results = function.results;
-        choose_with(*effort, other);
-        const int of_other = cost(other);
-        if (of_other < least) function = std::move(other), least = of_other;
-      }
-    });
+    for_each_index(firsts.size(), [&](std::size_t k) { choose_among(formulations.efforts(), list[firsts[k]]); });
+    std::map<Search, int> best;
     for (const std::size_t i : firsts) {
-      is_chosen[i] = true;
-      if (!is_fused(list[i])) effort_of[search_of(list[i])] = list[i].effort;
+      efforts[i].clear();
+      if (!is_fused(list[i])) best[search_of(list[i])] = list[i].effort;
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto found = best.find(search_of(list[i]));
+      if (!efforts[i].empty() && found != best.end() && found->second != most) efforts[i].push_back(found->second);
     }
   }
   for_each_index(list.size(), [&](std::size_t i) {
-    if (is_chosen[i]) return;
-    const auto found = effort_of.find(search_of(list[i]));
-    choose_with(found == effort_of.end() ? efforts.front() : found->second, list[i]);
+    if (!efforts[i].empty()) choose_among(efforts[i], list[i]);
   });
   return functions;
 }

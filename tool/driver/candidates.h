@@ -40,8 +40,9 @@ Candidate choose(
 // The cost of a function as it will be printed. It may complete the function for that.
 using CostOfPrinted = std::function<int(Function&)>;
 
-// Chooses among the candidates of each function of a robot. The effort of each search for link frames is the one with
-// which the first function that has this search costs least, of equal ones the most; without `cost` that of the steps.
+// Chooses among the candidates of each function of a robot, and the effort of its search for link frames. The first
+// function with each search takes the effort with which it costs least, of equal ones the most; where that is less than
+// the effort of the steps, the others are compared with both. Without `cost` all take the effort of the steps.
 Functions choose_candidates(
     const Robot& robot,
     Functions functions,

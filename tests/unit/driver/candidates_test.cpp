@@ -63,6 +63,11 @@ TEST(Candidates, TakeTheEffortThatCostsLeast) {
   EXPECT_EQ(efforts_if({}), (Efforts{{Search::newton_euler, {5}}, {Search::inertia, {5}}, {Search::none, {5}}}));
   const auto less_is_better = [](const Function& function) { return function.effort; };
   EXPECT_EQ(efforts_if(less_is_better).at(Search::newton_euler), std::set<int>{0});
+  // The other overloads may differ.
+  const auto less_is_better_for_one = [&](const Function& function) {
+    return function.kernel == declared.list.front().kernel ? function.effort : -function.effort;
+  };
+  EXPECT_EQ(efforts_if(less_is_better_for_one).at(Search::newton_euler), (std::set<int>{0, 5}));
 }
 
 // A large number is added and subtracted again: the result is mathematically the same, but eight digits are lost.
