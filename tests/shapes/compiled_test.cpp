@@ -50,8 +50,8 @@ TEST(CompiledCollision, ShapesAreWhereTheirLinksAre) {
 TEST(CompiledCollision, DistanceIsThatOfTheNearestPair) {
   for (const Numbers& q : states(40)) {
     const double expected = least_distance(q);
-    EXPECT_NEAR(compiled::self_distance(vector_of<compiled::JointState>(q))(0), expected, kBruteForce);
-    EXPECT_NEAR(compiled::f32::self_distance(vector_of<compiled::f32::JointState>(q))(0), expected, kSingle);
+    EXPECT_NEAR(compiled::self_distance(vector_of<compiled::JointState>(q)), expected, kBruteForce);
+    EXPECT_NEAR(compiled::f32::self_distance(vector_of<compiled::f32::JointState>(q)), expected, kSingle);
   }
 }
 
@@ -69,7 +69,7 @@ TEST(CompiledCollision, ManyStatesAreThoseOfSingleCalls) {
       n, by_element(q.data(), n), by_element(distance.data(), n), by_element(gradient.data(), n));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto one = compiled::self_distance_d_q(vector_of<compiled::JointState>(all[i]));
-    EXPECT_NEAR(found[i], compiled::self_distance(vector_of<compiled::JointState>(all[i]))(0), 1e-12);
+    EXPECT_NEAR(found[i], compiled::self_distance(vector_of<compiled::JointState>(all[i])), 1e-12);
     EXPECT_NEAR(found_single[i], found[i], kSingle);
     EXPECT_NEAR(distance[i], found[i], 1e-12);
     for (std::size_t k = 0; k < 4; ++k)

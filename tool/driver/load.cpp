@@ -104,11 +104,12 @@ std::string collisions_text(const model::KinematicTree& tree) {
 }
 
 // Those that were asked for, and those of functions of collision shapes.
-import::ShapeOptions shapes_to_read(const LoadOptions& options){import::ShapeOptions shapes = options.urdf.shapes;
-shapes.folders = options.import_folders;
-if (asks_for_collisions(options)) shapes.collisions = shapes.are_checked = true;
-return shapes;
-}  // namespace
+import::ShapeOptions shapes_to_read(const LoadOptions& options) {
+  import::ShapeOptions shapes = options.urdf.shapes;
+  shapes.folders = options.import_folders;
+  if (asks_for_collisions(options)) shapes.collisions = shapes.are_checked = true;
+  return shapes;
+}
 
 // A model whose text has the shapes that are checked.
 Model model_with_shapes(model::KinematicTree tree, const LoadOptions& options, Diagnostics& diagnostics) {
@@ -452,7 +453,7 @@ std::optional<Model> load_content(
   return model;
 }
 
-}  // namespace robcogen::driver
+}  // namespace
 
 const std::vector<Derivative>& Model::derivatives() const {
   return robot() ? robot()->derivatives : transforms()->derivatives;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "support/index.h"
@@ -142,10 +143,11 @@ std::set<std::array<int, 2>> neighbours(const KinematicTree& tree) {
   return pairs;
 }
 
-bool may_touch(const Geometry& geometry, const std::string& a, const std::string& b) {
-  return std::any_of(geometry.may_touch.begin(), geometry.may_touch.end(), [&](const auto& pair) {
-    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
-  });
+// Pairs of bodies, in both orders, that are not checked.
+std::set<std::array<std::string_view, 2>> unchecked_bodies(const Geometry& geometry) {
+  std::set<std::array<std::string_view, 2>> pairs;
+  for (const auto& [a, b] : geometry.may_touch) pairs.insert({{a, b}, {b, a}});
+  return pairs;
 }
 
 }  // namespace
@@ -160,9 +162,9 @@ std::vector<Capsule> capsules(const KinematicTree& tree) {
     if (shape.use != Shape::Use::collision) continue;
     const Segment segment = without_short_axis(segment_of(shape));
     Capsule capsule{shape.body, shape.body, shape.link, {}, segment.radius};
-    if (counts[shape.body] > 1) do
-        capsule.name = shape.body + "_" + std::to_string(++numbers[shape.body]);
-      while (counts.contains(capsule.name));
+    const bool is_numbered = counts[shape.body] > 1;
+    while (is_numbered && counts.contains(capsule.name))  // the name of this body, or of another one
+      capsule.name = shape.body + "_" + std::to_string(++numbers[shape.body]);
     for (std::size_t k = 0; k < 2; ++k) capsule.ends[k] = in_link(shape.placement, segment.ends[k]);
     result.push_back(std::move(capsule));
   }
@@ -174,11 +176,12 @@ std::vector<std::array<std::size_t, 2>> collision_pairs(
     const std::vector<Capsule>& capsules) {
   std::vector<std::array<std::size_t, 2>> pairs;
   const std::set<std::array<int, 2>> near = tree.geometry.has_srdf ? std::set<std::array<int, 2>>() : neighbours(tree);
+  const std::set<std::array<std::string_view, 2>> unchecked = unchecked_bodies(tree.geometry);
   for (std::size_t i = 0; i < capsules.size(); ++i)
     for (std::size_t k = i + 1; k < capsules.size(); ++k) {
       const Capsule &a = capsules[i], &b = capsules[k];
       if (a.link == b.link || near.contains({a.link, b.link})) continue;
-      if (!may_touch(tree.geometry, a.body, b.body)) pairs.push_back({i, k});
+      if (!unchecked.contains({a.body, b.body})) pairs.push_back({i, k});
     }
   return pairs;
 }

@@ -58,7 +58,7 @@ Declarations collision_declarations() {
          .summary =
              {"Smallest distance (m) between spheres and capsules of links whose pair is checked; negative where "
               "two overlap."},
-         .signature = {{q}, {value("distance", rows<1>)}},
+         .signature = {{q}, {{"distance", Role::distance, rows<1>}}},
          .program = {by<self_distance>}}}}};
 }
 

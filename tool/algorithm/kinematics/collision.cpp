@@ -167,7 +167,7 @@ symbolic::Program self_distance(const model::KinematicTree& tree, const std::str
     distances.push_back(distance(trace.graph, scene[i], scene[k]) - trace.graph.constant(radii));
   }
   trace.section("pairs", "nearest of all ", "");
-  trace.output("distance", Role::value, std::vector<Expression>{smallest(std::move(distances))});
+  trace.output("distance", Role::distance, std::vector<Expression>{smallest(std::move(distances))});
   return trace.program(name);
 }
 
