@@ -40,14 +40,15 @@ inline Point between(const Point& a, const Point& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-// The distance of a point and a segment, by golden sections: no formula is shared with the code under test.
+// The minimum between 0 and 1 by golden sections: no formula is shared with the code under test.
 template <class F>
 double least(F f) {
   const double ratio = (std::sqrt(5.0) - 1) / 2;
   double low = 0, high = 1;
   for (int k = 0; k < 45; ++k) {
     const double a = high - ratio * (high - low), b = low + ratio * (high - low);
-    (f(a) < f(b) ? high : low) = f(a) < f(b) ? b : a;
+    const bool is_left = f(a) < f(b);
+    (is_left ? high : low) = is_left ? b : a;
   }
   return std::min({f(0.0), f(1.0), f((low + high) / 2)});
 }

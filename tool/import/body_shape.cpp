@@ -9,6 +9,14 @@ namespace {
 
 constexpr double kLargest = 1e6;  // m; squares of squares of lengths are in range in single precision
 
+// A mesh that several shapes have is reported once.
+bool was_reported(const Diagnostics& diagnostics, const Diagnostic& d) {
+  return std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [&](const Diagnostic& other) {
+    return other.code == d.code && other.place.source == d.place.source &&
+           other.place.span.begin == d.place.span.begin && other.message == d.message;
+  });
+}
+
 }  // namespace
 
 model::Shape placed(const BodyShape& own, const std::string& body, const Pose& body_in_link) {
@@ -43,16 +51,14 @@ bool is_too_large(const model::TriangleMesh& mesh, const std::array<double, 3>& 
 }
 
 bool add_findings(const Diagnostics& found, bool is_needed, Diagnostics& diagnostics) {
-  for (const Diagnostic& d : found.all()) {
-    const bool is_error = d.severity == Severity::error;
-    if (is_error && is_needed) {
-      diagnostics.error(d.code, d.place, d.message) = d;
-      continue;
+  for (Diagnostic d : found.all()) {
+    if (d.severity == Severity::error && !is_needed) {
+      d.severity = Severity::warning;
+      d.message += ": the shape is left out";
     }
-    Diagnostic& copy =
-        diagnostics.warning(d.code, d.place, is_error ? d.message + ": the shape is left out" : d.message);
-    copy.notes = d.notes;
-    copy.hint = d.hint;
+    if (was_reported(diagnostics, d)) continue;
+    const bool is_error = d.severity == Severity::error;
+    (is_error ? diagnostics.error(d.code, d.place, d.message) : diagnostics.warning(d.code, d.place, d.message)) = d;
   }
   return !found.has_errors();
 }

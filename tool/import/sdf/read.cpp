@@ -313,13 +313,12 @@ class DocumentReader {
   void read_shape_of(const Element& element, int scope, const FileContext& context) {
     Link& link = document_.links.back();
     ShapeMeshes& meshes = meshes_.try_emplace(context.folder, context.folder, options_.shapes).first->second;
-    std::optional<BodyShape> shape = read_shape(element, link.name.text, options_.shapes, meshes, diagnostics_);
+    std::optional<ReadShape> shape = read_shape(element, link.name.text, options_.shapes, meshes, diagnostics_);
     if (!shape) return;
     const int index = static_cast<int>(document_.frames.size());
-    const Name name = {fmt::format("a {} of link '{}'", element.name, link.name.text), element.place};
-    Frame& frame = add_frame(name, reader_.pose(element, name.text), scope);
+    Frame& frame = add_frame(shape->name, shape->pose, scope);
     frame.reference = frame.carrier = link.frame;
-    link.shapes.push_back({*std::move(shape), index});
+    link.shapes.push_back({std::move(shape->shape), index});
   }
 
   void read_frame(const Element& element, int scope) {

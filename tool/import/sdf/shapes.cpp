@@ -18,16 +18,17 @@ class ShapeReader {
 
   // Whether the geometry is empty, which is no shape.
   bool is_empty(const Element& element) const {
-    const Element* geometry = xml_child(element, "geometry");
-    return geometry != nullptr && xml_child(*geometry, "empty") != nullptr;
+    const Element* geometry = child_of(element, "geometry");
+    return geometry != nullptr && child_of(*geometry, "empty") != nullptr;
   }
 
-  void read(const Element& element, BodyShape& shape) {
+  void read(const Element& element, ReadShape& result) {
+    result.pose = reader_.pose(element, result.name.text);
     const Element* geometry = reader_.require_child(element, "geometry");
     if (geometry == nullptr) return;
     for (const Element& child : geometry->children) {
-      if (child.name == "mesh") return read_mesh(child, shape.shape);
-      if (read_solid(child, shape)) return;
+      if (child.name == "mesh") return read_mesh(child, result.shape.shape);
+      if (read_solid(child, result.shape)) return;
     }
     Diagnostic& error = found_.error("missing-element", geometry->place, "this 'geometry' has no shape that is read");
     error.hint = "write a sphere, capsule, cylinder, ellipsoid, box or mesh";
@@ -35,16 +36,16 @@ class ShapeReader {
 
   // Which shapes collide by their masks is not read: all are checked.
   void check_mask(const Element& element) {
-    const Element* surface = xml_child(element, "surface");
-    const Element* contact = surface == nullptr ? nullptr : xml_child(*surface, "contact");
-    const Element* mask = contact == nullptr ? nullptr : xml_child(*contact, "collide_bitmask");
+    const Element* surface = child_of(element, "surface");
+    const Element* contact = surface == nullptr ? nullptr : child_of(*surface, "contact");
+    const Element* mask = contact == nullptr ? nullptr : child_of(*contact, "collide_bitmask");
     if (mask != nullptr)
       found_.warning(
           "unread-mask", mask->place, "this 'collide_bitmask' is not read: the shape is checked with all others");
   }
 
  private:
-  static const Element* xml_child(const Element& element, const char* name) {
+  static const Element* child_of(const Element& element, const char* name) {
     const auto found = std::find_if(
         element.children.begin(), element.children.end(), [&](const Element& child) { return child.name == name; });
     return found == element.children.end() ? nullptr : &*found;
@@ -131,21 +132,23 @@ class ShapeReader {
 
 }  // namespace
 
-std::optional<BodyShape> read_shape(
+std::optional<ReadShape> read_shape(
     const Element& element,
     const std::string& link,
     const ShapeOptions& options,
     ShapeMeshes& meshes,
     Diagnostics& diagnostics) {
-  BodyShape result;
-  result.shape.use = element.name == "visual" ? Use::visual : Use::collision;
-  result.shape.place = element.place;
-  if (!options.reads(result.shape.use)) return std::nullopt;
+  const Use use = element.name == "visual" ? Use::visual : Use::collision;
+  if (!options.reads(use)) return std::nullopt;
+  ReadShape result;
+  result.name = {fmt::format("a {} of link '{}'", element.name, link), element.place};
+  result.shape.shape.use = use;
+  result.shape.shape.place = element.place;
   Diagnostics found;
   ShapeReader reader(link, meshes, found);
   if (reader.is_empty(element)) return std::nullopt;
   reader.read(element, result);
-  const bool is_needed = result.shape.use == Use::collision && options.are_checked;
+  const bool is_needed = use == Use::collision && options.are_checked;
   if (is_needed) reader.check_mask(element);
   return add_findings(found, is_needed, diagnostics) ? std::optional(std::move(result)) : std::nullopt;
 }

@@ -10,9 +10,16 @@
 
 namespace robcogen::import::from_sdf {
 
-// Reads an element `visual` or `collision` of the link, whose pose is not that of the element: nullopt for one that is
-// not a shape, and for one that is left out. `meshes` is that of its document. Warns about a `collide_bitmask`.
-std::optional<BodyShape> read_shape(
+struct ReadShape {
+  Name name;        // for messages
+  ReadPose pose;    // of the element
+  BodyShape shape;  // in the frame of the element
+};
+
+// Reads an element `visual` or `collision` of the link: nullopt for one that is not a shape, and for one that is left
+// out. `meshes` is that of its document. Angles are not snapped: they cost no operations. Warns about a
+// `collide_bitmask`.
+std::optional<ReadShape> read_shape(
     const Element& element,
     const std::string& link,
     const ShapeOptions& options,
