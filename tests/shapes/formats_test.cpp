@@ -175,9 +175,9 @@ TEST(MjcfShapes, ThatAreWrongAreLeftOutOfPicturesOnly) {
            {"<geom/>", "missing-attribute: this 'geom' has no attribute 'size'"},
            {"<geom size='-1'/>", "geom-size: the size of this geom is not positive"},
            {"<geom size='1e7'/>", "geom-size: the size of this geom is more than 1e6 m"},
-           {"<geom type='sdf'/>", "unread-geom: the shape of this geom is a signed distance field"},
-           {"<geom type='mesh'/>", "unread-geom: the shape of this geom is a mesh without a name"},
-           {"<geom type='box' mesh='t'/>", "unread-geom: the shape of this geom is fitted to a mesh"},
+           {"<geom type='sdf'/>", "unread-geom: a signed distance field is not read as a shape"},
+           {"<geom type='mesh'/>", "unread-geom: this 'geom' has no attribute 'mesh'"},
+           {"<geom type='box' mesh='t'/>", "unread-geom: a shape that is fitted to a mesh is not read"},
            {"<geom type='mesh' mesh='u'/>", "unknown-mesh: mesh 'u' is not declared"},
            {"<geom type='mesh' mesh='empty'/>", "unread-mesh: mesh 'empty' cannot be read: it has no vertex"},
            {"<geom type='mesh' mesh='flat'/>", "unread-mesh: mesh 'flat' cannot be read: its scale is zero"},
@@ -198,6 +198,31 @@ TEST(MjcfShapes, ThatAreWrongAreLeftOutOfPicturesOnly) {
   const Loaded unread = loaded(folder.file("m.xml", mjcf(body("<geom type='mesh' mesh='none'/>"), meshes)), checked());
   ASSERT_FALSE(unread.messages().empty());
   EXPECT_EQ(unread.messages().front().substr(0, 17), "unread-mesh: file");
+}
+
+TEST(MjcfShapes, AMeshOfSeveralGeomsIsReportedOnce) {
+  const Folder folder;
+  const std::string geom = "<geom type='mesh' mesh='none'/>";
+  const auto file = folder.file(
+      "m.xml", mjcf(
+                   "<body name='a'><joint name='j'/>" + kInertial + geom + geom + "</body>",
+                   "<asset><mesh name='none'/></asset>"));
+  EXPECT_EQ(loaded(file, all_shapes()).messages().size(), 1u);
+  EXPECT_FALSE(loaded(file, checked()).model);
+}
+
+TEST(MjcfShapes, HaveNamesOfTheirOwn) {
+  const Folder folder;
+  const Loaded read = loaded(
+      folder.file(
+          "m.xml", mjcf(
+                       "<body name='a'><joint name='j'/>" + kInertial +
+                       "<geom size='1'/><geom size='2'/><body name='a_1'><geom size='3'/></body></body>")),
+      checked());
+  ASSERT_TRUE(read.model) << read.diagnostics.render();
+  std::vector<std::string> names;
+  for (const model::Capsule& capsule : model::capsules(read.tree())) names.push_back(capsule.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"a_2", "a_3", "a_1"}));
 }
 
 const std::string kMass = "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";

@@ -38,11 +38,11 @@ class ShapeReader {
     shape.place = geom_.place;
     const Attribute* mesh = find(geom_, "mesh");
     if (type == "sdf")
-      refuse(geom_.place, "is a signed distance field");
+      refuse(geom_.place, "a signed distance field is not read as a shape");
     else if (type == "mesh" && mesh == nullptr)
-      refuse(geom_.place, "is a mesh without a name");
+      refuse(geom_.place, "this 'geom' has no attribute 'mesh'");
     else if (type != "mesh" && mesh != nullptr)
-      refuse(mesh->place, "is fitted to a mesh");
+      refuse(mesh->place, "a shape that is fitted to a mesh is not read");
     else if (type == "mesh")
       read_mesh(*mesh, result);
     else
@@ -52,8 +52,10 @@ class ShapeReader {
   }
 
  private:
-  void refuse(const Place& place, const char* what) {
-    found_.error("unread-geom", place, fmt::format("the shape of this geom {}", what));
+  void refuse(const Place& place, const char* message) {
+    found_.error("unread-geom", place, message).hint =
+        "write a sphere, capsule, cylinder, ellipsoid, box or mesh; without bits of contype and conaffinity, it is not "
+        "checked";
   }
 
   void read_mesh(const Attribute& mesh, BodyShape& result) {
@@ -67,9 +69,11 @@ class ShapeReader {
   void read_solid(const std::string& type, BodyShape& result) {
     const GeomSize size = read_size(geom_, type, found_);
     const auto [a, b, c] = size.half;
-    for (const double length : size.half)
-      if (const std::string fault = fault_of_length(length); !fault.empty() && !found_.has_errors())
-        found_.error("geom-size", geom_.place, "the size of this geom " + fault);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::string fault = fault_of_length(size.half[k]); !fault.empty() && !found_.has_errors()) {
+        const Attribute* given = find(geom_, k == 2 && size.segment ? "fromto" : "size");
+        found_.error("geom-size", given->place, "the size of this geom " + fault);
+      }
     if (size.segment)
       result.pose = {size.segment->middle, smallest_rotation_to_axis(size.segment->along)};
     else
