@@ -299,6 +299,7 @@ TEST(Collision, PairsAreComparedInRounds) {
 TEST(Collision, TooManyPairsAreMentioned) {
   const Folder folder;
   const Robot robot = many_pairs(folder, 64);
+  ASSERT_FALSE(robot.loaded.messages().empty());
   EXPECT_EQ(
       robot.loaded.messages().back(),
       "too-many-pairs: self_distance is left out: 4096 pairs of shapes would be checked, and at most 4000 can be");

@@ -103,9 +103,11 @@ std::string collisions_text(const model::KinematicTree& tree) {
   return text;
 }
 
+using import::ShapeOptions;
+
 // Those that were asked for, and those of functions of collision shapes.
-import::ShapeOptions shapes_to_read(const LoadOptions& options) {
-  import::ShapeOptions shapes = options.urdf.shapes;
+ShapeOptions shapes_to_read(const LoadOptions& options) {
+  ShapeOptions shapes = options.urdf.shapes;
   shapes.folders = options.import_folders;
   if (asks_for_collisions(options)) shapes.collisions = shapes.are_checked = true;
   return shapes;
@@ -158,7 +160,7 @@ std::optional<Model> load_tree(
   const std::size_t errors_before = diagnostics.error_count();
   const model::Changes changes = read_changes(options.changes, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
-  const import::ShapeOptions shapes = shapes_to_read(options);
+  const ShapeOptions shapes = shapes_to_read(options);
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read =
         import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot, changes, shapes}, diagnostics);

@@ -28,8 +28,8 @@ std::string fault_of_length(double length);
 // Whether a vertex of the mesh is farther from its origin than lengths of shapes may be, or not at a finite place.
 bool is_too_large(const model::TriangleMesh& mesh, const std::array<double, 3>& scale);
 
-// Adds what was found in a shape. Returns whether the shape is used: if it is needed, what is wrong with it is an
-// error; otherwise, it is left out with a warning.
+// Adds what was found in a shape, unless it is already there. Returns whether the shape is used: if it is needed, what
+// is wrong with it is an error; otherwise, it is left out with a warning.
 bool add_findings(const Diagnostics& found, bool is_needed, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import
