@@ -138,6 +138,9 @@ TEST(Meshes, MalformedFilesAreRefused) {
   EXPECT_TRUE(refuses(read_msh, msh(mesh) + " "));
   EXPECT_TRUE(refuses(read_stl, "solid s\nfacet\nvertex 1 2 x\n"));
   EXPECT_TRUE(refuses(read_stl, "solid s\nfacet\nvertex 1 2 3\nendfacet\n"));
+  const std::string whole = text_stl(mesh);
+  EXPECT_TRUE(refuses(read_stl, whole.substr(0, whole.find("endsolid"))));
+  EXPECT_TRUE(refuses(read_stl, whole.substr(0, whole.rfind("vertex"))));
   for (const char* text :
        {"v 1 2", "v 1 2 inf", "v 0 0 0\nf 1 1", "v 0 0 0\nf 1 1 2", "v 0 0 0\nf 1 1 -2", "f 0 1 2", "f a b c"})
     EXPECT_TRUE(refuses(read_obj, text)) << text;

@@ -1,5 +1,6 @@
 // Every message of the MJCF import, as a user sees it: mjcf_bad/<name>.xml must produce exactly the messages in its
-// file. `-free-mimic` in the name sets that option, and `-robot-x` at its end chooses robot x.
+// file. `-free-mimic` in the name sets that option, `-checked` has shapes checked, and `-robot-x` at its end chooses
+// robot x.
 #include "import/mjcf.h"
 #include "patterns.h"
 #include "reading.h"
@@ -20,6 +21,8 @@ TEST_P(MjcfMessages, AreAsExpected) {
   const std::string name = file.stem().string();
   import::MjcfOptions options;
   options.free_equality_joints = name.find("-free-mimic") != std::string::npos;
+  options.shapes.visuals = options.shapes.collisions = options.shapes.are_checked =
+      name.find("-checked") != std::string::npos;
   if (const std::size_t at = name.find("-robot-"); at != std::string::npos)
     options.robot = name.substr(at + sizeof "-robot-" - 1);
   Diagnostics diagnostics;

@@ -1,5 +1,6 @@
 // Every message of the SDF import, as a user sees it: sdf_bad/<name>.sdf must produce exactly the messages in its file.
-// `-free-mimic` in the name sets that option, `-snap` another, and `-robot-x` at its end chooses robot x.
+// `-free-mimic` in the name sets that option, `-snap` another, `-checked` has shapes checked, and `-robot-x` at its end
+// chooses robot x.
 #include "import/sdf.h"
 #include "patterns.h"
 #include "reading.h"
@@ -21,6 +22,8 @@ TEST_P(SdfMessages, AreAsExpected) {
   import::SdfOptions options;
   options.free_mimic_joints = name.find("-free-mimic") != std::string::npos;
   options.snap_angles = name.find("-snap") != std::string::npos;
+  options.shapes.visuals = options.shapes.collisions = options.shapes.are_checked =
+      name.find("-checked") != std::string::npos;
   if (const std::size_t at = name.find("-robot-"); at != std::string::npos)
     options.robot = name.substr(at + sizeof "-robot-" - 1);
   Diagnostics diagnostics;

@@ -34,7 +34,9 @@ ModelPointer loaded(const path& file) {
 model::KinematicTree imported(const path& file) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<Source>(file.filename().string(), contents(file));
-  auto robot = import::mjcf(source, file, {}, diagnostics);
+  import::MjcfOptions options;
+  options.shapes.collisions = true;
+  auto robot = import::mjcf(source, file, options, diagnostics);
   if (!robot) throw std::runtime_error(diagnostics.render());
   return std::move(robot->tree);
 }

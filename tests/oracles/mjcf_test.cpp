@@ -6,12 +6,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <random>
+#include <string>
 
+#include "algorithm/kinematics/collision.h"
 #include "interpreted_robot.h"
 #include "judge.h"
 #include "linear_algebra.h"
 #include "mjcf_files.h"
+#include "model/collision.h"
+#include "symbolic/interpret.h"
 
 namespace robcogen::oracles {
 namespace {
@@ -73,6 +78,7 @@ class MjcfTest : public testing::Test {
     for (int i = 0; i < kStates; ++i) {
       const reference::Motion<double> motion = reference::random_sample(engine, robot.tables()).motion;
       compare(robot, motion, reference::uniform_vector(engine, tree.dof(), 20.0));
+      if (i == 0 && !tree.geometry.shapes.empty()) compare_shapes(tree, motion.q);
     }
   }
 
@@ -218,6 +224,79 @@ class MjcfTest : public testing::Test {
       pose.topRightCorner<3, 1>() = Eigen::Map<const Vector3d>(position);
       expect_near(name, to_eigen(robot.transform(i, q).homogeneous), pose);
     }
+  }
+
+  // The geoms of bodies, which are in the same order, have the capsules that the model makes of them.
+  void compare_shapes(const KinematicTree& tree, const reference::Vector<double>& q) {
+    const std::vector<model::Capsule> capsules = model::capsules(tree);
+    const VectorXd positions = to_eigen(q);
+    const symbolic::Arrays<double> arguments = {{"q", {positions.begin(), positions.end()}}};
+    std::vector<double> spheres, others;
+    if (std::any_of(capsules.begin(), capsules.end(), [](const auto& c) { return c.is_sphere(); }))
+      spheres = symbolic::interpret<double>(algorithm::collision_spheres(tree, "s"), arguments).at("centers");
+    if (std::any_of(capsules.begin(), capsules.end(), [](const auto& c) { return !c.is_sphere(); }))
+      others = symbolic::interpret<double>(algorithm::collision_capsules(tree, "c"), arguments).at("ends");
+    std::map<std::string, std::vector<int>> geoms;
+    for (int g = 0; g < model_->ngeom; ++g) {
+      const bool is_checked = model_->geom_contype[g] != 0 || model_->geom_conaffinity[g] != 0;
+      if (!is_checked || model_->geom_type[g] == mjGEOM_PLANE) continue;
+      const int body = model_->geom_bodyid[g];
+      const char* name = mj_id2name(model_.get(), mjOBJ_BODY, body);
+      geoms[name == nullptr || *name == 0 ? "body_" + std::to_string(body) : name].push_back(g);
+    }
+    std::map<std::string, std::size_t> next;
+    std::size_t sphere = 0, other = 0;
+    for (const model::Capsule& capsule : capsules) {
+      const double* first = capsule.is_sphere() ? spheres.data() + 3 * sphere++ : others.data() + 6 * other++;
+      const Vector3d a = Eigen::Map<const Vector3d>(first),
+                     b = Eigen::Map<const Vector3d>(capsule.is_sphere() ? first : first + 3);
+      const std::vector<int>& of_body = geoms[capsule.body];
+      ASSERT_LT(next[capsule.body], of_body.size()) << capsule.name;
+      compare_shape(capsule, a, b, of_body[next[capsule.body]++]);
+    }
+    for (const auto& [body, list] : geoms) EXPECT_EQ(next[body], list.size()) << body;
+  }
+
+  void compare_shape(const model::Capsule& capsule, const Vector3d& a, const Vector3d& b, int geom) {
+    SCOPED_TRACE(capsule.name);
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> R =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->geom_xmat + 9 * geom);
+    const Vector3d center = Eigen::Map<const Vector3d>(data_->geom_xpos + 3 * geom);
+    const mjtNum* size = model_->geom_size + 3 * geom;
+    const int type = model_->geom_type[geom];
+    std::vector<Vector3d> points;  // that the capsule contains, the farthest of which is on its surface
+    if (type == mjGEOM_BOX) {
+      for (int k = 0; k < 8; ++k)
+        points.push_back(
+            center + R * Vector3d(k & 1 ? size[0] : -size[0], k & 2 ? size[1] : -size[1], k & 4 ? size[2] : -size[2]));
+    } else if (type == mjGEOM_MESH) {
+      const int mesh = model_->geom_dataid[geom];
+      for (int k = 0; k < model_->mesh_vertnum[mesh]; ++k)
+        points.push_back(
+            center + R * Eigen::Map<const Eigen::Vector3f>(model_->mesh_vert + 3 * (model_->mesh_vertadr[mesh] + k))
+                             .cast<double>());
+    } else {
+      double radius = size[0], half = type == mjGEOM_SPHERE ? 0 : size[1];
+      int axis = 2;
+      if (type == mjGEOM_ELLIPSOID) {
+        axis = static_cast<int>(std::max_element(size, size + 3) - size);
+        radius = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+        half = size[axis] - radius;
+      }
+      const Vector3d along = half * R.col(axis);
+      EXPECT_NEAR(capsule.radius, radius, kAgreement);
+      EXPECT_LE(std::min((a - center - along).norm(), (a - center + along).norm()), kAgreement);
+      EXPECT_LE((a + b - 2 * center).norm(), kAgreement);
+      EXPECT_NEAR((a - b).norm(), 2 * half, kAgreement);
+      return;
+    }
+    double farthest = 0;
+    for (const Vector3d& p : points) {
+      const Vector3d d = b - a;
+      const double t = d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+      farthest = std::max(farthest, (p - a - t * d).norm());
+    }
+    EXPECT_NEAR(farthest, capsule.radius, kVertices);
   }
 
   void expect_near(const std::string& what, const MatrixXd& ours, const MatrixXd& theirs) const {

@@ -1,21 +1,21 @@
 // Spheres, capsules and distances against kinematics and geometry that are written down here.
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <numbers>
 
 #include "algorithm/catalogue/catalogue.h"
 #include "algorithm/kinematics/collision.h"
+#include "chain.h"
 #include "driver/find_function.h"
 #include "files.h"
+#include "import/body_shape.h"
 #include "model/collision.h"
+#include "symbolic/cost.h"
 #include "symbolic/derivative.h"
 #include "symbolic/interpret.h"
 
 namespace robcogen::test::collision_test {
 namespace {
-
-using Point = std::array<double, 3>;
-using Numbers = std::vector<double>;
 
 Numbers run(const symbolic::Program& program, const Numbers& q, const std::string& output) {
   return symbolic::interpret<double>(program, {{"q", q}}).at(output);
@@ -41,50 +41,6 @@ std::string placed(const std::string& shape, const std::string& xyz, const std::
   return "<origin xyz='" + xyz + "' rpy='" + rpy + "'/><geometry>" + shape + "</geometry>";
 }
 
-// A point of a link in the base.
-Point in_base(std::size_t link, const Numbers& q, Point p) {
-  const auto turn = [&](std::size_t a, std::size_t b, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle), x = p[a], y = p[b];
-    p[a] = c * x - s * y;
-    p[b] = s * x + c * y;
-  };
-  for (std::size_t k = link; k-- > 0;) {
-    if (k == 0) turn(0, 1, q[0]);
-    if (k == 1) turn(2, 0, q[1]);
-    if (k == 2) turn(1, 2, q[2]);
-    if (k == 3) p[2] += q[3];
-    p[2] += 0.5;
-  }
-  return p;
-}
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-Point between(const Point& a, const Point& b, double t) {
-  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-}
-
-// The distance of a point and a segment, by golden sections: no formula is shared with the code under test.
-template <class F>
-double least(F f) {
-  const double ratio = (std::sqrt(5.0) - 1) / 2;
-  double low = 0, high = 1;
-  for (int k = 0; k < 45; ++k) {
-    const double a = high - ratio * (high - low), b = low + ratio * (high - low);
-    (f(a) < f(b) ? high : low) = f(a) < f(b) ? b : a;
-  }
-  return std::min({f(0.0), f(1.0), f((low + high) / 2)});
-}
-
-double distance_of_segments(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
-  return least([&](double s) {
-    const Point p = between(a[0], a[1], s);
-    return least([&](double t) { return distance(p, between(b[0], b[1], t)); });
-  });
-}
-
 struct Robot {
   Loaded loaded;
   std::vector<model::Capsule> capsules;
@@ -104,29 +60,6 @@ const std::array<std::string, 5> kShapes = {
     placed("<sphere radius='0.05'/>", "0.1 0.2 0.3"), placed("<capsule radius='0.07' length='0.4'/>", "0 0 0.2"),
     placed("<cylinder radius='0.08' length='0.6'/>", "0 0.1 0.3", "0.5 0 0"),
     placed("<sphere radius='0.125'/>", "0 0 0.1")};
-
-Point along(const Point& p, double length, const Point& axis) {
-  return {p[0] + length * axis[0], p[1] + length * axis[1], p[2] + length * axis[2]};
-}
-
-// The ends of their axes, in the frames of the URDF: Rz(0.4) Ry(1.2) and Rx(0.5) turn two of them.
-const Point kTilted = {std::cos(0.4) * std::sin(1.2), std::sin(0.4) * std::sin(1.2), std::cos(1.2)};
-const Point kTurned = {0, -std::sin(0.5), std::cos(0.5)};
-const std::array<std::array<Point, 2>, 5> kEnds = {
-    {{along({0.3, 0, 0}, -0.4, kTilted), along({0.3, 0, 0}, 0.4, kTilted)},
-     {{{0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}}},
-     {{{0, 0, 0}, {0, 0, 0.4}}},
-     {along({0, 0.1, 0.3}, -0.3, kTurned), along({0, 0.1, 0.3}, 0.3, kTurned)},
-     {{{0, 0, 0.1}, {0, 0, 0.1}}}}};
-
-std::vector<Numbers> states(std::size_t count) {
-  std::mt19937 random(17);
-  std::uniform_real_distribution<double> uniform(-2, 2);
-  std::vector<Numbers> list = {{0, 0, 0, 0}};
-  while (list.size() < count)
-    list.push_back({uniform(random), uniform(random), uniform(random), 0.2 * uniform(random)});
-  return list;
-}
 
 TEST(Collision, SpheresAndCapsulesAreWhereTheirLinksAre) {
   const Folder folder;
@@ -153,23 +86,9 @@ TEST(Collision, SpheresAndCapsulesAreWhereTheirLinksAre) {
 TEST(Collision, DistanceIsThatOfTheNearestPair) {
   const Folder folder;
   const Robot robot = robot_of(folder, chain(kShapes));
-  // Those of links that a joint connects are left out.
-  using Pairs = std::vector<std::array<std::size_t, 2>>;
-  const Pairs pairs = {{0, 2}, {0, 3}, {0, 4}, {1, 3}, {1, 4}, {2, 4}};
-  EXPECT_EQ(model::collision_pairs(robot.tree(), robot.capsules), pairs);
+  EXPECT_EQ(model::collision_pairs(robot.tree(), robot.capsules), kPairs);
   const symbolic::Program program = algorithm::self_distance(robot.tree(), "d");
-  for (const Numbers& q : states(40)) {
-    double expected = 1e9;
-    for (const auto& [i, k] : pairs) {
-      std::array<std::array<Point, 2>, 2> segments;
-      for (const auto& [side, index] : {std::pair<std::size_t, std::size_t>{0, i}, {1, k}})
-        for (std::size_t e = 0; e < 2; ++e) segments[side][e] = in_base(index, q, kEnds[index][e]);
-      expected = std::min(
-          expected,
-          distance_of_segments(segments[0], segments[1]) - robot.capsules[i].radius - robot.capsules[k].radius);
-    }
-    EXPECT_NEAR(run(program, q, "distance")[0], expected, 1e-6);
-  }
+  for (const Numbers& q : states(40)) EXPECT_NEAR(run(program, q, "distance")[0], least_distance(q), 1e-6);
 }
 
 // Two spheres of radius 0.25 m, 2 m apart at zero, on a rail towards each other.
@@ -272,6 +191,122 @@ TEST(Collision, CapsulesContainBoxesAndMeshes) {
   EXPECT_LT(robot.capsules[1].radius, 0.6);
 }
 
+// Capsules of 0.1 m around axes of 1 m, of which the second is on a rail.
+Robot two_capsules(const Folder& folder, const std::string& xyz, const std::string& rpy) {
+  const std::string shape = "<capsule radius='0.1' length='1'/>";
+  return robot_of(folder, chain({placed(shape, "0 0 0"), "", "", "", placed(shape, xyz, rpy)}));
+}
+
+TEST(Collision, AxesMayBeParallelOrMeet) {
+  const Folder folder;
+  struct Case {
+    const char *xyz, *rpy;
+    double rail, expected;
+  };
+  const double right = std::hypot(0.5, 1.0);
+  for (const auto& [xyz, rpy, rail, expected] :
+       {Case{"0.5 0 0", "0 0 0", 0, right - 0.2},       // parallel, one above the other
+        {"0.5 0 0", "0 0 0", -1.75, 0.5 - 0.2},         // parallel, side by side
+        {"0.5 0 0", "3.141592653589793 0 0", -2, 0.3},  // antiparallel, ends at the same heights
+        {"0 0 0", "0 0 0", 0, 1 - 0.2},                 // on one line
+        {"0 0 0", "0 0 0", -1.75, -0.2},                // on one line, overlapping
+        {"0 0 0", "0 0 0", -2, -0.2},                   // the same
+        {"0 0 0", "1.5707963267948966 0 0", -2, -0.2},  // crossed
+        {"0 0.25 0.4", "0 1.5707963267948966 0", -2, 0.05}}) {
+    SCOPED_TRACE(testing::Message() << xyz << ", " << rpy << " at " << rail);
+    const Robot robot = two_capsules(folder, xyz, rpy);
+    const symbolic::Program program = algorithm::self_distance(robot.tree(), "d");
+    const symbolic::Program derived = symbolic::with_derivatives(program, {"q"});
+    EXPECT_NEAR(run(program, {0, 0, 0, rail}, "distance")[0], expected, 1e-9);
+    const auto single = symbolic::interpret<float>(derived, {{"q", {0, 0, 0, static_cast<float>(rail)}}});
+    EXPECT_NEAR(single.at("distance")[0], expected, 1e-6);
+    for (const float d : single.at("d_q")) EXPECT_LE(std::abs(d), 3);  // the rail is 2.5 m from the base at most
+    for (const double d : run(derived, {0, 0, 0, rail}, "d_q")) EXPECT_LE(std::abs(d), 3);
+  }
+}
+
+model::Capsule capsule_of(model::Shape::Kind kind, const std::array<double, 3>& size) {
+  model::KinematicTree tree;
+  model::Shape shape;
+  shape.kind = kind;
+  shape.use = model::Shape::Use::collision;
+  shape.size = size;
+  tree.geometry.shapes = {shape};
+  return model::capsules(tree).at(0);
+}
+
+TEST(Collision, AnEllipsoidTouchesItsCapsuleFromInside) {
+  for (const std::array<double, 3>& a :
+       {std::array{0.3, 0.1, 0.2}, {0.1, 0.1, 0.4}, {0.2, 0.2, 0.2}, {1.0, 3.0, 2.9}}) {
+    import::BodyShape shape;
+    import::set_ellipsoid(shape, a);
+    model::KinematicTree tree;
+    tree.geometry.shapes = {import::placed(shape, "body", {})};
+    tree.geometry.shapes[0].use = model::Shape::Use::collision;
+    const model::Capsule capsule = model::capsules(tree).at(0);
+    double farthest = 0;
+    for (int i = 0; i <= 20; ++i)
+      for (int k = 0; k < 20; ++k) {
+        const double polar = std::numbers::pi * i / 20, around = std::numbers::pi * k / 10;
+        const Point p = {
+            a[0] * std::sin(polar) * std::cos(around), a[1] * std::sin(polar) * std::sin(around),
+            a[2] * std::cos(polar)};
+        farthest = std::max(
+            farthest, least([&](double t) { return distance(p, between(capsule.ends[0], capsule.ends[1], t)); }));
+      }
+    EXPECT_NEAR(farthest, capsule.radius, 1e-6);
+    EXPECT_NEAR(capsule.radius + distance(capsule.ends[0], capsule.ends[1]) / 2, std::max({a[0], a[1], a[2]}), 1e-12);
+  }
+}
+
+// The square of their length would be zero in single precision.
+TEST(Collision, ShortAxesArePoints) {
+  const model::Capsule capsule = capsule_of(model::Shape::Kind::capsule, {0.1, 1e-9, 0});
+  EXPECT_TRUE(capsule.is_sphere());
+  EXPECT_DOUBLE_EQ(capsule.radius, 0.1 + 5e-10);
+  EXPECT_FALSE(capsule_of(model::Shape::Kind::capsule, {0.1, 1e-5, 0}).is_sphere());
+}
+
+// Spheres on both ends of the chain, each of which makes a pair with each.
+Robot many_pairs(const Folder& folder, int count) {
+  std::string spheres;
+  for (int k = 0; k < count; ++k)
+    spheres += (k > 0 ? "</collision><collision>" : "") +
+               placed("<sphere radius='0.05'/>", std::to_string(0.01 * k * k) + " " + std::to_string(0.2 * k) + " 0");
+  return robot_of(folder, chain({spheres, "", "", "", spheres}));
+}
+
+TEST(Collision, PairsAreComparedInRounds) {
+  const Folder folder;
+  const auto path = [&](int count) {
+    return symbolic::cost(algorithm::self_distance(many_pairs(folder, count).tree(), "d")).critical_path;
+  };
+  // One pair, 64 pairs: six rounds.
+  EXPECT_LE(path(8), path(1) + 7 * (path(2) - path(1)) / 2);
+  const Robot robot = many_pairs(folder, 5);
+  const symbolic::Program program = algorithm::self_distance(robot.tree(), "d");
+  for (const Numbers& q : states(10)) {
+    double expected = 1e9;
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t k = 5; k < 10; ++k)
+        expected = std::min(
+            expected,
+            distance(in_base(0, q, robot.capsules[i].ends[0]), in_base(4, q, robot.capsules[k].ends[0])) - 0.1);
+    EXPECT_NEAR(run(program, q, "distance")[0], expected, 1e-12);
+  }
+}
+
+TEST(Collision, TooManyPairsAreMentioned) {
+  const Folder folder;
+  const Robot robot = many_pairs(folder, 64);
+  ASSERT_FALSE(robot.loaded.messages().empty());
+  EXPECT_EQ(
+      robot.loaded.messages().back(),
+      "too-many-pairs: self_distance is left out: 4096 pairs of shapes would be checked, and at most 4000 can be");
+  EXPECT_TRUE(driver::find_functions(*robot.loaded.model->robot(), "self_distance").empty());
+  EXPECT_FALSE(driver::find_functions(*robot.loaded.model->robot(), "collision_spheres").empty());
+}
+
 std::vector<std::string> names_of(const driver::Model& model) {
   std::vector<std::string> names;
   for (const algorithm::Declared& f : driver::find_functions(*model.robot(), "self_distance")) names.push_back(f.name);
@@ -295,9 +330,8 @@ TEST(Collision, FunctionsExistWhereTheyAreAskedFor) {
   const Loaded without = loaded(folder.file("bare.urdf", chain({})), checked());
   EXPECT_EQ(
       without.messages().back(),
-      "unavailable-group: 'collision' of robot 'chain' is not available: it has no collision shapes, which only a URDF "
-      "can "
-      "have");
+      "unavailable-group: 'collision' of robot 'chain' is not available: it has no collision shapes, which a URDF, "
+      "MJCF or SDF can have");
 }
 
 }  // namespace

@@ -84,6 +84,8 @@ TEST(Shapes, AreReadOnlyWhereTheyAreAskedFor) {
 // A picture lacks a shape that is wrong; a check would be unsafe without it.
 TEST(Shapes, ThatAreWrongAreLeftOutOfPicturesOnly) {
   const Folder folder;
+  folder.file("t.obj", kTetrahedron);
+  folder.file("cut.stl", "solid s\n facet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n");
   for (const auto& [shape, message] : std::vector<std::pair<std::string, std::string>>{
            {"<collision/>", "missing-element: this 'collision' has no element 'geometry'"},
            {"<collision><geometry/></collision>", "missing-element: this 'geometry' has no shape"},
@@ -93,6 +95,20 @@ TEST(Shapes, ThatAreWrongAreLeftOutOfPicturesOnly) {
             "shape-size: 'size' of a shape of link 'lower' is not positive"},
            {"<collision><geometry><cylinder radius='1'/></geometry></collision>",
             "missing-attribute: this 'cylinder' has no attribute 'length'"},
+           {"<collision><geometry><capsule radius='1' length='2e6'/></geometry></collision>",
+            "shape-size: 'length' of a shape of link 'lower' is more than 1e6 m"},
+           {"<collision><geometry><box size='1 2e6 1'/></geometry></collision>",
+            "shape-size: 'size' of a shape of link 'lower' is more than 1e6 m"},
+           {"<collision><geometry><mesh filename='t.obj' scale='1 0 1'/></geometry></collision>",
+            "shape-size: 'scale' of a shape of link 'lower' is zero"},
+           {"<collision><geometry><mesh filename='t.obj' scale='2e6 1 1'/></geometry></collision>",
+            "unread-mesh: mesh 't.obj' of link 'lower' is larger than 1e6 m"},
+           {"<collision><geometry><mesh filename=''/></geometry></collision>",
+            "unread-mesh: mesh '' of link 'lower' is not found"},
+           {"<collision><geometry><mesh filename='package://'/></geometry></collision>",
+            "unread-mesh: mesh 'package://' of link 'lower' is not found"},
+           {"<collision><geometry><mesh filename='cut.stl'/></geometry></collision>",
+            "unread-mesh: mesh 'cut.stl' of link 'lower' cannot be read: it ends within a solid"},
            {"<collision><geometry><mesh filename='package://none/a.stl'/></geometry></collision>",
             "unread-mesh: mesh 'package://none/a.stl' of link 'lower' is not found"}}) {
     SCOPED_TRACE(shape);

@@ -117,8 +117,7 @@ std::optional<driver::Model> ModelOptions::load(const std::vector<std::string>& 
   if (!srdf.empty() && driver::language_of(file) != driver::Language::urdf)
     throw Failure{
         wrong_usage,
-        fmt::format(
-            "robcogen: error: --srdf applies to robots in URDF, whose collision shapes are read: not to '{}'", file)};
+        fmt::format("robcogen: error: --srdf names pairs of links of a URDF, and '{}' is not a URDF", file)};
   if (!quiet) report_missing_folders(import_folders, messages);
   driver::LoadOptions options;
   if (!desired.empty()) options.desired = desired;

@@ -103,6 +103,34 @@ std::string collisions_text(const model::KinematicTree& tree) {
   return text;
 }
 
+using import::ShapeOptions;
+
+// Those that were asked for, and those of functions of collision shapes.
+ShapeOptions shapes_to_read(const LoadOptions& options) {
+  ShapeOptions shapes = options.urdf.shapes;
+  shapes.folders = options.import_folders;
+  if (asks_for_collisions(options)) shapes.collisions = shapes.are_checked = true;
+  return shapes;
+}
+
+// A model whose text has the shapes that are checked.
+Model model_with_shapes(model::KinematicTree tree, const LoadOptions& options, Diagnostics& diagnostics) {
+  if (!asks_for_collisions(options)) return foreign_model(std::move(tree), options);
+  const std::size_t pairs = model::collision_pairs(tree, model::capsules(tree)).size();
+  if (pairs > model::kMaxCollisionPairs)
+    diagnostics
+        .warning(
+            "too-many-pairs", tree.links[0].place,
+            fmt::format(
+                "self_distance is left out: {} pairs of shapes would be checked, and at most {} can be", pairs,
+                model::kMaxCollisionPairs))
+        .hint = "exclude pairs that cannot touch, or write fewer shapes";
+  const std::string collisions = options.prints_canonical ? collisions_text(tree) : "";
+  Model model = foreign_model(std::move(tree), options);
+  model.canonical += collisions;
+  return model;
+}
+
 std::optional<Model> load_urdf(
     const std::shared_ptr<const Source>& source,
     const LoadOptions& options,
@@ -110,19 +138,15 @@ std::optional<Model> load_urdf(
     Diagnostics& diagnostics) {
   import::UrdfOptions urdf = options.urdf;
   urdf.changes = changes;
-  urdf.shapes.folders = options.import_folders;
-  const bool is_checked = asks_for_collisions(options);
-  if (is_checked) urdf.shapes.collisions = urdf.shapes.are_checked = true;
+  urdf.shapes = shapes_to_read(options);
   std::optional<model::KinematicTree> tree = import::urdf(source, urdf, diagnostics);
   if (!tree) return std::nullopt;
   std::vector<std::filesystem::path> read = tree->geometry.files;
-  if (options.srdf && is_checked) {
+  if (options.srdf && urdf.shapes.are_checked) {
     if (!import::read_srdf(source_of(*options.srdf, options.open_texts), *tree, diagnostics)) return std::nullopt;
     read.push_back(*options.srdf);
   }
-  const std::string collisions = is_checked && options.prints_canonical ? collisions_text(*tree) : "";
-  Model model = foreign_model(std::move(*tree), options);
-  model.canonical += collisions;
+  Model model = model_with_shapes(std::move(*tree), options, diagnostics);
   model.read = std::move(read);
   return model;
 }
@@ -136,21 +160,23 @@ std::optional<Model> load_tree(
   const std::size_t errors_before = diagnostics.error_count();
   const model::Changes changes = read_changes(options.changes, diagnostics);
   if (diagnostics.error_count() > errors_before) return std::nullopt;
+  const ShapeOptions shapes = shapes_to_read(options);
   if (language == Language::mjcf) {
     std::optional<import::Mjcf> read =
-        import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot, changes}, diagnostics);
+        import::mjcf(source, file, {options.urdf.free_mimic_joints, options.robot, changes, shapes}, diagnostics);
     if (!read) return std::nullopt;
-    Model model = foreign_model(std::move(read->tree), options);
+    Model model = model_with_shapes(std::move(read->tree), options, diagnostics);
     model.read = std::move(read->included);
     return model;
   }
   if (language == Language::sdf) {
     std::optional<import::Sdf> read = import::sdf(
         source, file,
-        {options.urdf.snap_angles, options.urdf.free_mimic_joints, options.robot, options.import_folders, changes},
+        {options.urdf.snap_angles, options.urdf.free_mimic_joints, options.robot, options.import_folders, changes,
+         shapes},
         diagnostics);
     if (!read) return std::nullopt;
-    Model model = foreign_model(std::move(read->tree), options);
+    Model model = model_with_shapes(std::move(read->tree), options, diagnostics);
     model.read = std::move(read->included);
     return model;
   }

@@ -57,7 +57,7 @@ struct Model {
 struct LoadOptions {
   std::optional<std::filesystem::path> desired = {};  // nullopt: the default list
   bool strict = false;                                // see promote_strict_warnings
-  import::UrdfOptions urdf = {};                      // for robots in URDF; free_mimic_joints for MJCF too
+  import::UrdfOptions urdf = {};                      // for robots in URDF; what others have, for them too
   std::optional<std::filesystem::path> srdf = {};     // pairs of links of a URDF that are not checked for collisions
   std::string robot = {};                             // which one of a scene in MJCF: see MjcfOptions
   ChangeOptions changes = {};                         // of robots

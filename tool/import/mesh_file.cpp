@@ -113,8 +113,10 @@ std::optional<TriangleMesh> read_text_stl(std::string_view content, std::string&
   VertexList list(mesh);
   Words words(content);
   std::vector<std::uint32_t> corners;
+  bool is_complete = false;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (word == "solid" || word == "endsolid") {
+      is_complete = word == "endsolid";
       words.next_line();  // a name
     } else if (word == "vertex") {
       const std::optional<Vertex> vertex = read_vertex(words, false);
@@ -126,6 +128,7 @@ std::optional<TriangleMesh> read_text_stl(std::string_view content, std::string&
       corners.clear();
     }
   }
+  if (!is_complete) return fault = "it ends within a solid", std::nullopt;
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cmath>
 #endif
 
 namespace robcogen::import {
@@ -53,6 +54,9 @@ std::optional<TriangleMesh> read_scene(
   }
   TriangleMesh result;
   add_meshes(*scene, *scene->mRootNode, aiMatrix4x4(), result);
+  for (const auto& v : result.vertices)
+    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+      return fault = "it contains a number that is not finite", std::nullopt;
   return result;
 }
 #else

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "import/shapes.h"
 #include "model/changes.h"
 #include "model/kinematic_tree.h"
 
@@ -19,6 +20,7 @@ struct MjcfOptions {
   // that carries joints, or `world` for all of the latter. Empty: there is only one.
   std::string robot = {};
   model::Changes changes = {};
+  ShapeOptions shapes = {};
 };
 
 struct Mjcf {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "import/shapes.h"
 #include "model/changes.h"
 #include "model/kinematic_tree.h"
 
@@ -22,6 +23,7 @@ struct SdfOptions {
   // Folders in which `model://NAME` and `package://NAME` are looked up, before the folders around the file.
   std::vector<std::filesystem::path> folders = {};
   model::Changes changes = {};
+  ShapeOptions shapes = {};
 };
 
 struct Sdf {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "support/index.h"
@@ -24,10 +26,12 @@ Segment along_z(double radius, double length) {
   return {{{{0, 0, -length / 2}, {0, 0, length / 2}}}, radius};
 }
 
+double length_of(const Segment& s) {
+  return std::hypot(s.ends[1][0] - s.ends[0][0], s.ends[1][1] - s.ends[0][1], s.ends[1][2] - s.ends[0][2]);
+}
+
 double volume(const Segment& s) {
-  const double length =
-      std::hypot(s.ends[1][0] - s.ends[0][0], s.ends[1][1] - s.ends[0][1], s.ends[1][2] - s.ends[0][2]);
-  return std::numbers::pi * s.radius * s.radius * (length + 4.0 / 3.0 * s.radius);
+  return std::numbers::pi * s.radius * s.radius * (length_of(s) + 4.0 / 3.0 * s.radius);
 }
 
 // Around points, along this coordinate axis. Its axis is in the middle of the points; the half spheres at its ends
@@ -95,6 +99,15 @@ Segment segment_of(const Shape& shape) {
   return smallest_around(vertices_of(shape));
 }
 
+Segment without_short_axis(Segment s) {
+  constexpr double kShortest = 1e-6;  // m
+  const double length = length_of(s);
+  if (length == 0 || length >= kShortest) return s;
+  for (std::size_t k = 0; k < 3; ++k) s.ends[0][k] = s.ends[1][k] = s.ends[0][k] + (s.ends[1][k] - s.ends[0][k]) / 2;
+  s.radius += length / 2;
+  return s;
+}
+
 Point3 in_link(const Placement& placement, const Point3& p) {
   const auto R = rotation_matrix(placement);
   Point3 result;
@@ -106,18 +119,35 @@ Point3 in_link(const Placement& placement, const Point3& p) {
   return result;
 }
 
-// By link: the joint that carries it, past the copies between the components of a spherical joint.
+// The body that carries the link: past those that are none, which are between the joints of a body or the components of
+// a joint. -1 for the base.
 int parent_of(const KinematicTree& tree, int link) {
-  int joint = tree.links[at(link)].parent_joint;
-  while (joint >= 0 && tree.links[at(tree.joints[at(joint)].parent)].is_repeated)
-    joint = tree.links[at(tree.joints[at(joint)].parent)].parent_joint;
-  return joint < 0 ? -1 : tree.joints[at(joint)].parent;
+  const auto next = [&](int l) {
+    const int joint = tree.links[at(l)].parent_joint;
+    return joint < 0 ? -1 : tree.joints[at(joint)].parent;
+  };
+  int parent = next(link);
+  while (parent >= 0 && (tree.links[at(parent)].is_virtual || tree.links[at(parent)].is_repeated))
+    parent = next(parent);
+  return parent;
 }
 
-bool may_touch(const Geometry& geometry, const std::string& a, const std::string& b) {
-  return std::any_of(geometry.may_touch.begin(), geometry.may_touch.end(), [&](const auto& pair) {
-    return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
-  });
+// Pairs of links, in both orders, that a joint connects, or one that closes a loop.
+std::set<std::array<int, 2>> neighbours(const KinematicTree& tree) {
+  std::set<std::array<int, 2>> pairs;
+  const auto add = [&](int a, int b) { pairs.insert({{a, b}, {b, a}}); };
+  for (int link = 0; link < static_cast<int>(tree.links.size()); ++link)
+    if (const int parent = parent_of(tree, link); parent >= 0) add(link, parent);
+  for (const LoopJoint& loop : tree.loops)
+    if (loop.type != LoopType::distance) add(loop.ends[0].link, loop.ends[1].link);
+  return pairs;
+}
+
+// Pairs of bodies, in both orders, that are not checked.
+std::set<std::array<std::string_view, 2>> unchecked_bodies(const Geometry& geometry) {
+  std::set<std::array<std::string_view, 2>> pairs;
+  for (const auto& [a, b] : geometry.may_touch) pairs.insert({{a, b}, {b, a}});
+  return pairs;
 }
 
 }  // namespace
@@ -130,9 +160,11 @@ std::vector<Capsule> capsules(const KinematicTree& tree) {
   std::map<std::string, int> numbers;
   for (const Shape& shape : tree.geometry.shapes) {
     if (shape.use != Shape::Use::collision) continue;
-    const Segment segment = segment_of(shape);
+    const Segment segment = without_short_axis(segment_of(shape));
     Capsule capsule{shape.body, shape.body, shape.link, {}, segment.radius};
-    if (counts[shape.body] > 1) capsule.name += "_" + std::to_string(++numbers[shape.body]);
+    const bool is_numbered = counts[shape.body] > 1;
+    while (is_numbered && counts.contains(capsule.name))  // the name of this body, or of another one
+      capsule.name = shape.body + "_" + std::to_string(++numbers[shape.body]);
     for (std::size_t k = 0; k < 2; ++k) capsule.ends[k] = in_link(shape.placement, segment.ends[k]);
     result.push_back(std::move(capsule));
   }
@@ -143,12 +175,13 @@ std::vector<std::array<std::size_t, 2>> collision_pairs(
     const KinematicTree& tree,
     const std::vector<Capsule>& capsules) {
   std::vector<std::array<std::size_t, 2>> pairs;
+  const std::set<std::array<int, 2>> near = tree.geometry.has_srdf ? std::set<std::array<int, 2>>() : neighbours(tree);
+  const std::set<std::array<std::string_view, 2>> unchecked = unchecked_bodies(tree.geometry);
   for (std::size_t i = 0; i < capsules.size(); ++i)
     for (std::size_t k = i + 1; k < capsules.size(); ++k) {
       const Capsule &a = capsules[i], &b = capsules[k];
-      if (a.link == b.link) continue;
-      const bool are_neighbours = parent_of(tree, a.link) == b.link || parent_of(tree, b.link) == a.link;
-      if (tree.geometry.has_srdf ? !may_touch(tree.geometry, a.body, b.body) : !are_neighbours) pairs.push_back({i, k});
+      if (a.link == b.link || near.contains({a.link, b.link})) continue;
+      if (!unchecked.contains({a.body, b.body})) pairs.push_back({i, k});
     }
   return pairs;
 }

@@ -38,7 +38,7 @@ struct Shape {
 
 struct Geometry {
   std::vector<Shape> shapes = {};                          // in the order of links
-  std::vector<std::array<std::string, 2>> may_touch = {};  // pairs of bodies that an SRDF excludes from checks
+  std::vector<std::array<std::string, 2>> may_touch = {};  // pairs of bodies that are not checked
   bool has_srdf = false;                                   // one was read: all other pairs are checked
   std::vector<std::filesystem::path> files = {};           // of meshes, that were read
 };

@@ -117,6 +117,7 @@ enum class Role {
   position,                 // 3: m
   energy,                   // 1: J
   mass,                     // 1: kg
+  distance,                 // 1: m
   parameters,               // kinematics, then dynamics parameters
   variables,                // of a document of transforms: m or rad
   contact_activity,         // one per contact: 1 if it holds, 0 if it is open
@@ -124,6 +125,11 @@ enum class Role {
   residual,                 // zero but for rounding, or where solutions meet: its digits do not count
   value,                    // anything else
 };
+
+// Whether an array of this role is one number, which languages return as such.
+constexpr bool is_number(Role role) {
+  return role == Role::energy || role == Role::mass || role == Role::distance;
+}
 
 // Whether the columns belong to the joints of a chain.
 constexpr bool is_jacobian(Role role) {

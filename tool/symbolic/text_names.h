@@ -42,6 +42,7 @@ inline constexpr std::array kRoles = {
     RoleName{Role::position, "position"},
     RoleName{Role::energy, "energy"},
     RoleName{Role::mass, "mass"},
+    RoleName{Role::distance, "distance"},
     RoleName{Role::parameters, "parameters"},
     RoleName{Role::variables, "variables"},
     RoleName{Role::contact_activity, "contact_activity"},

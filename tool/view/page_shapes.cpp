@@ -106,6 +106,7 @@ PageShapes page_shapes(const std::vector<Shape>& shapes) {
     if (shape.mesh) result.triangles += shape.mesh->faces.size();
   std::map<const TriangleMesh*, std::pair<std::size_t, std::size_t>> shown;  // index, number of triangles
   for (const Shape& shape : shapes) {
+    if (shape.mesh && shape.mesh->faces.empty()) continue;  // vertices of a hull, which has no picture
     Json data = {{"link", shape.link},          {"body", shape.body}, {"isVisual", shape.use == Shape::Use::visual},
                  {"kind", name_of(shape.kind)}, {"size", shape.size}, {"pose", pose_of(shape.placement)}};
     if (shape.mesh) {

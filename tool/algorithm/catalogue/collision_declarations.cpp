@@ -27,11 +27,9 @@ bool has_any(const Subject& s) {
   return count_of_shapes<are_spheres>(s) > 0;
 }
 
-// Code without loops has the distance of each pair.
 bool has_few_pairs(const Subject& s) {
-  constexpr std::size_t kMany = 4000;
   const std::size_t pairs = model::collision_pairs(s.tree, model::capsules(s.tree)).size();
-  return pairs > 0 && pairs <= kMany;
+  return pairs > 0 && pairs <= model::kMaxCollisionPairs;
 }
 
 }  // namespace
@@ -60,7 +58,7 @@ Declarations collision_declarations() {
          .summary =
              {"Smallest distance (m) between spheres and capsules of links whose pair is checked; negative where "
               "two overlap."},
-         .signature = {{q}, {value("distance", rows<1>)}},
+         .signature = {{q}, {{"distance", Role::distance, rows<1>}}},
          .program = {by<self_distance>}}}}};
 }
 

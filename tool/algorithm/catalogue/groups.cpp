@@ -79,7 +79,7 @@ bool has_shapes(const KinematicTree& tree) {
 }
 
 constexpr std::array kRequirements = {
-    Requirement{kShapes, has_shapes, "it has no collision shapes, which only a URDF can have"},
+    Requirement{kShapes, has_shapes, "it has no collision shapes, which a URDF, MJCF or SDF can have"},
     Requirement{
         kInertia, [](const KinematicTree& tree) { return !tree.inertia_defects.no_inertia; },
         "no link that moves has mass properties", true},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "algorithm/kinematics/frame_poses.h"
@@ -29,6 +30,17 @@ Expression positive_part(const Expression& x) {
 // Exact where a is the smaller one.
 Expression smaller(const Expression& a, const Expression& b) {
   return a - positive_part(a - b);
+}
+
+// In rounds, each of which compares neighbours: a path of log2(n) comparisons instead of n.
+Expression smallest(std::vector<Expression> values) {
+  while (values.size() > 1) {
+    std::vector<Expression> next;
+    for (std::size_t k = 0; k + 1 < values.size(); k += 2) next.push_back(smaller(values[k], values[k + 1]));
+    if (values.size() % 2 == 1) next.push_back(values.back());
+    values = std::move(next);
+  }
+  return values.front();
 }
 
 // x, between 0 and 1. The order makes both limits exact.
@@ -148,14 +160,14 @@ symbolic::Program self_distance(const model::KinematicTree& tree, const std::str
   Trace trace(tree);
   const std::vector<Capsule> capsules = model::capsules(tree);
   const Scene scene(trace, capsules);
-  Expression least;
+  std::vector<Expression> distances;
   for (const auto& [i, k] : model::collision_pairs(tree, capsules)) {
     trace.section(capsules[i].name, {"pair ", capsules[i].name, " and ", capsules[k].name});
     const double radii = capsules[i].radius + capsules[k].radius;
-    const Expression apart = distance(trace.graph, scene[i], scene[k]) - trace.graph.constant(radii);
-    least = least.is_zero() ? apart : smaller(least, apart);
+    distances.push_back(distance(trace.graph, scene[i], scene[k]) - trace.graph.constant(radii));
   }
-  trace.output("distance", Role::value, std::vector<Expression>{least});
+  trace.section("pairs", "nearest of all ", "");
+  trace.output("distance", Role::distance, std::vector<Expression>{smallest(std::move(distances))});
   return trace.program(name);
 }
 

@@ -70,6 +70,7 @@ std::string alias(Role role) {
       return "Vector3";
     case Role::energy:
     case Role::mass:
+    case Role::distance:
       return "Scalar";
     case Role::parameters:
       return kParametersType;

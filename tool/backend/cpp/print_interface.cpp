@@ -31,7 +31,7 @@ std::vector<std::string> parameter_list(const Overload& overload) {
 
 // Whether the output is returned as a plain number. All other results are Eigen matrices or have `data()`.
 bool is_scalar(const symbolic::OutputArray& output) {
-  return output.role == symbolic::Role::energy || output.role == symbolic::Role::mass;
+  return symbolic::is_number(output.role);
 }
 
 std::string kernel_of(const Overload& overload) {

@@ -98,7 +98,7 @@ std::string parameter_line(const Library& library, const InputArray& input, cons
 }
 
 bool is_number(const OutputArray& output) {
-  return output.role == Role::energy || output.role == Role::mass;
+  return symbolic::is_number(output.role);
 }
 
 std::string type_of(const OutputArray& output) {

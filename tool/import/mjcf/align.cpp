@@ -38,6 +38,7 @@ void align_free_body(Document& document, const Settings& settings, Diagnostics& 
   const Pose back = inverse(part.pose);
   body.pose = body.pose * part.pose;
   for (Site& site : body.sites) site.pose = back * site.pose;
+  for (BodyShape& shape : body.shapes) shape.pose = back * shape.pose;
   part.pose = {};
   diagnostics.note(
       "aligned-body", joint.is_aligned ? joint.align_place : settings.alignment_place,

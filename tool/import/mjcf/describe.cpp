@@ -80,6 +80,7 @@ class Describer {
       const Site& site = body.sites[s];
       link.frames.push_back({identifiers_.sites[b][s], placement_of(own.pose * site.pose), site.name.place});
     }
+    for (const BodyShape& shape : body.shapes) link.shapes.push_back(placed(shape, name, own.pose));
     for (const Part& part : body.parts) {
       if (parts_[at(own.link)].empty()) {
         link.inertia_place = part.inertia_place;
@@ -230,6 +231,39 @@ class Describer {
 
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics) {
   return Describer(document, identifiers, diagnostics).describe();
+}
+
+namespace {
+
+bool may_meet(const Body& a, const Body& b) {
+  for (const ContactBits& x : a.contact)
+    for (const ContactBits& y : b.contact)
+      if ((x.type & y.affinity) != 0 || (y.type & x.affinity) != 0) return true;
+  return a.contact.empty() || b.contact.empty();
+}
+
+}  // namespace
+
+std::vector<std::array<std::string, 2>> excluded_pairs(const Document& document, const Identifiers& identifiers) {
+  std::vector<std::array<std::string, 2>> pairs;
+  for (const auto& [first, second] : document.excludes)
+    for (std::size_t a = 0; a < document.bodies.size(); ++a) {
+      if (!is_named(document.bodies[a], first.text)) continue;
+      // A copy is excluded from the body of the same copy, or from the only one.
+      const auto is_second = [&](const Body& body) { return is_named(body, second.text); };
+      auto found = std::find_if(document.bodies.begin(), document.bodies.end(), [&](const Body& body) {
+        return is_second(body) && body.written.suffix == document.bodies[a].written.suffix;
+      });
+      if (found == document.bodies.end())
+        found = std::find_if(document.bodies.begin(), document.bodies.end(), is_second);
+      const auto b = static_cast<std::size_t>(found - document.bodies.begin());
+      pairs.push_back({identifiers.bodies[a], identifiers.bodies[b]});
+    }
+  for (std::size_t a = 0; a < document.bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < document.bodies.size(); ++b)
+      if (!may_meet(document.bodies[a], document.bodies[b]))
+        pairs.push_back({identifiers.bodies[a], identifiers.bodies[b]});
+  return pairs;
 }
 
 }  // namespace robcogen::import::from_mjcf

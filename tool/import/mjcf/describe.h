@@ -24,4 +24,8 @@ Identifiers identifiers_of(const Document& document, Diagnostics& diagnostics);
 // Reports couplings between the robot and other bodies. A note counts the bodies and sites that are not part of it.
 model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics);
 
+// The names of bodies whose pairs are not checked: those that the document excludes, and those no geoms of which may
+// meet.
+std::vector<std::array<std::string, 2>> excluded_pairs(const Document& document, const Identifiers& identifiers);
+
 }  // namespace robcogen::import::from_mjcf

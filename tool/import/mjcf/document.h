@@ -1,11 +1,13 @@
 // The mechanics in an MJCF model: a tree of bodies, after defaults are applied.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "import/body_shape.h"
 #include "import/mjcf.h"
 #include "import/mjcf/defaults.h"
 #include "import/mjcf/meshes.h"
@@ -81,6 +83,11 @@ struct FreeJoint {
   Place align_place;
 };
 
+// `contype` and `conaffinity`: two geoms collide if a bit of the first one of one is in the second one of the other.
+struct ContactBits {
+  std::uint32_t type = 1, affinity = 1;
+};
+
 struct Body {
   Name name;
   Written written;
@@ -92,7 +99,9 @@ struct Body {
   std::vector<Joint> joints;  // from the parent to the body
   std::optional<Element> inertial;
   std::vector<PlacedElement> geoms;
-  std::vector<Part> parts;  // see read_masses
+  std::vector<Part> parts;           // see read_masses
+  std::vector<BodyShape> shapes;     // see read_shapes
+  std::vector<ContactBits> contact;  // of those that are checked
   std::vector<Site> sites;
 
   bool floats() const { return free_joint.has_value(); }
@@ -172,7 +181,8 @@ struct Document {
   std::vector<TendonCoupling> tendon_couplings;
   std::vector<Loop> loops;
   std::vector<Cylinder> cylinders;
-  bool has_key = false;  // the joints have the positions of a `key`
+  std::vector<std::array<Name, 2>> excludes;  // pairs of bodies, as written, that are not checked
+  bool has_key = false;                       // the joints have the positions of a `key`
   Place key_place;
   std::map<std::string, int> ignored;  // number of elements that are not read, by name
 };

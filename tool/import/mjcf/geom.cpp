@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "import/mjcf/document.h"
-#include "import/mjcf/segment.h"
+#include "import/mjcf/geom_size.h"
 
 namespace robcogen::import::from_mjcf {
 
@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kWater = 1000.0;  // kg/m^3: the default density of a geom
-
-const std::vector<std::string>& shapes() {
-  static const std::vector<std::string> names = {"sphere", "capsule", "ellipsoid", "cylinder", "box",
-                                                 "plane",  "hfield",  "mesh",      "sdf"};
-  return names;
-}
 
 struct Moments {
   double volume = 0.0;
@@ -56,7 +50,7 @@ class GeomReader {
   std::optional<Part> read() {
     const Attribute* mass = find(element_, "mass");
     const Number density = values_.scalar(element_, "density", Number(kWater));
-    const std::string shape = shapes()[values_.word(element_, "type", shapes(), 0)];
+    const std::string shape = type_of_geom(element_, context_.diagnostics);
     if (shape == "plane" || shape == "hfield" || !is_in_range(values_.scalar(element_, "group"))) return std::nullopt;
     if (mass == nullptr ? density.is_zero() : values_.scalar(element_, "mass").is_zero()) return std::nullopt;
     const Attribute* mesh = find(element_, "mesh");
@@ -119,40 +113,17 @@ class GeomReader {
     return std::nullopt;
   }
 
-  // Reads the first `count` numbers of the attribute `size`.
-  std::array<double, 3> size(std::size_t count) {
-    const Attribute* given = find(element_, "size");
-    if (given == nullptr) {
-      context_.diagnostics.error("missing-attribute", element_.place, "this 'geom' has no attribute 'size'");
-      return {1.0, 1.0, 1.0};
-    }
-    std::array<double, 3> result = {1.0, 1.0, 1.0};
-    const std::optional<std::vector<Number>> n = values_.read(*given, count, 3);
-    if (!n) return result;
-    for (std::size_t i = 0; i < count; ++i) {
-      result[i] = (*n)[i].value();
-      if (result[i] > 0.0) continue;
-      context_.diagnostics.error("geom-size", given->place, "the size of this geom is not positive");
-      return {1.0, 1.0, 1.0};
-    }
-    return result;
-  }
-
-  // Sets the pose. With `fromto`, the z axis is along the segment, whose length is that of the geom. Shapes with
-  // `fromto` are symmetric about this axis, so the directions of z, x and y do not matter.
+  // Sets the pose. With `fromto`, the z axis is along the segment. Shapes with `fromto` are symmetric about this axis,
+  // so the directions of z, x and y do not matter.
   Moments read_shape(const std::string& shape, Pose& pose) {
-    const std::optional<Segment> segment = read_segment(element_, shape, context_.diagnostics);
-    if (segment)
-      pose = {segment->middle, rotation_to_axis(segment->along)};
+    const GeomSize size = read_size(element_, shape, context_.diagnostics);
+    if (size.segment)
+      pose = {size.segment->middle, rotation_to_axis(size.segment->along)};
     else
       pose = pose_of(element_, context_.settings, context_.diagnostics);
-    const bool is_round = shape == "cylinder" || shape == "capsule";
-    const std::array<double, 3> s = size(shape == "sphere" || segment ? 1 : is_round ? 2 : 3);
-    if (shape == "sphere") return symmetric(4.0 / 3.0 * kPi * s[0] * s[0] * s[0], 0.2, s[0], s[0], s[0]);
-    const double length = segment ? segment->length : 2.0 * s[1];
-    if (shape == "cylinder") return of_cylinder(s[0], length);
-    if (shape == "capsule") return of_capsule(s[0], length);
-    const double a = s[0], b = segment ? a : s[1], c = segment ? length / 2.0 : s[2];
+    const auto [a, b, c] = size.half;
+    if (shape == "cylinder") return of_cylinder(a, 2.0 * c);
+    if (shape == "capsule") return of_capsule(a, 2.0 * c);
     if (shape == "box") return symmetric(8.0 * a * b * c, 1.0 / 3.0, a, b, c);
     return symmetric(4.0 / 3.0 * kPi * a * b * c, 0.2, a, b, c);
   }

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "import/body_shape.h"
 #include "import/mjcf/orientation.h"
 #include "support/files.h"
 
@@ -42,23 +43,50 @@ Meshes::Meshes(
   for (const Element& section : root.children) {
     if (section.name != "asset") continue;
     for (const Element& asset : section.children)
-      if (asset.name == "mesh") assets_.insert({mesh_name(asset), {defaults.resolved(asset, nullptr), false, {}}});
+      if (asset.name == "mesh") assets_.insert({mesh_name(asset), {defaults.resolved(asset, nullptr), false, {}, {}}});
   }
 }
 
-const Solid* Meshes::find(const Attribute& name) {
+Meshes::Asset* Meshes::asset(const Attribute& name, Diagnostics& diagnostics) {
   const auto found = assets_.find(name.value);
-  if (found == assets_.end()) {
-    std::vector<std::string> names;
-    for (const auto& [known, asset] : assets_) names.push_back(known);
-    diagnostics_.error("unknown-mesh", name.place, fmt::format("mesh '{}' is not declared", name.value)).hint =
-        did_you_mean(name.value, names);
+  if (found != assets_.end()) return &found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, asset] : assets_) names.push_back(known);
+  diagnostics.error("unknown-mesh", name.place, fmt::format("mesh '{}' is not declared", name.value)).hint =
+      did_you_mean(name.value, names);
+  return nullptr;
+}
+
+const Solid* Meshes::find(const Attribute& name) {
+  Asset* found = asset(name, diagnostics_);
+  if (found == nullptr) return nullptr;
+  if (!found->is_read) found->solid = read(found->element);
+  found->is_read = true;
+  return found->solid ? &*found->solid : nullptr;
+}
+
+std::shared_ptr<const TriangleMesh> Meshes::find_shape(const Attribute& name, Diagnostics& diagnostics) {
+  Asset* found = asset(name, diagnostics);
+  if (found == nullptr || found->shape) return found == nullptr ? nullptr : found->shape;
+  const Element& mesh = found->element;
+  const std::size_t errors_before = diagnostics.error_count();
+  const MeshTransform transform = transform_of(mesh, diagnostics);
+  Fault fault;
+  const std::optional<TriangleMesh> triangles = read_triangles(mesh, diagnostics, fault);
+  if (diagnostics.error_count() > errors_before) return nullptr;
+  const bool is_flat = transform.scale[0] * transform.scale[1] * transform.scale[2] == 0.0;
+  if (triangles && triangles->vertices.empty()) fault = {mesh.place, "it has no vertex"};
+  if (triangles && is_flat) fault = {mesh.place, "its scale is zero"};
+  std::optional<TriangleMesh> result;
+  if (fault.text.empty()) result = transformed_mesh(*triangles, transform);
+  if (result && is_too_large(*result, {1, 1, 1})) fault = {mesh.place, "it is larger than 1e6 m"};
+  if (!fault.text.empty()) {
+    const std::string message = fmt::format("mesh '{}' cannot be read: {}", mesh_name(mesh), fault.text);
+    diagnostics.error("unread-mesh", fault.place, fault.is_of_file ? fault.text : message);
     return nullptr;
   }
-  Asset& asset = found->second;
-  if (!asset.is_read) asset.solid = read(asset.element);
-  asset.is_read = true;
-  return asset.solid ? &*asset.solid : nullptr;
+  found->shape = std::make_shared<const TriangleMesh>(*std::move(result));
+  return found->shape;
 }
 
 std::optional<Solid> Meshes::refuse(const Place& place, const std::string& name, const std::string& fault) {
@@ -73,8 +101,19 @@ std::optional<Solid> Meshes::read(const Element& mesh) {
   const std::vector<std::string> kinds = {"legacy", "exact", "shell", "convex"};
   const std::size_t kind = values.word(mesh, "inertia", kinds, settings_.has_exact_meshes ? 1 : 0);
   if (kind == 3) return refuse(mesh.place, mesh_name(mesh), "inertia=\"convex\" needs its convex hull");
-  if (from_mjcf::find(mesh, "builtin") != nullptr || !mesh.children.empty())
-    return refuse(mesh.place, mesh_name(mesh), "MuJoCo generates it");
+  const MeshTransform transform = transform_of(mesh, diagnostics_);
+  Fault fault;
+  const std::optional<TriangleMesh> triangles = read_triangles(mesh, diagnostics_, fault);
+  if (fault.is_of_file) diagnostics_.error("unreadable-mesh", fault.place, fault.text);
+  if (diagnostics_.error_count() > errors_before) return std::nullopt;
+  if (!triangles) return refuse(fault.place, mesh_name(mesh), fault.text);
+  if (triangles->faces.empty()) return refuse(mesh.place, mesh_name(mesh), "it has vertices only, and needs a hull");
+  std::optional<Solid> solid = solid_of(*triangles, transform, static_cast<MeshInertia>(kind), fault.text);
+  return solid ? solid : refuse(mesh.place, mesh_name(mesh), fault.text);
+}
+
+MeshTransform Meshes::transform_of(const Element& mesh, Diagnostics& diagnostics) const {
+  Values values(diagnostics);
   MeshTransform transform;
   transform.shift = values_of(values.triple(mesh, "refpos", {}));
   const Number one = Number::rational(1);
@@ -83,17 +122,12 @@ std::optional<Solid> Meshes::read(const Element& mesh) {
     Element orientation;
     orientation.attributes.push_back(*turn);
     orientation.attributes.back().name = "quat";
-    const Rotation rotation = orientation_of(orientation, settings_, diagnostics_);
+    const Rotation rotation = orientation_of(orientation, settings_, diagnostics);
     const auto R = model::rotation_matrix(placement_of({{}, rotation}));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) transform.turn[i][k] = model::evaluate(R[i][k]);
   }
-  const std::optional<TriangleMesh> triangles = read_triangles(mesh);
-  if (!triangles || diagnostics_.error_count() > errors_before) return std::nullopt;
-  if (triangles->faces.empty()) return refuse(mesh.place, mesh_name(mesh), "it has vertices only, and needs a hull");
-  std::string fault;
-  std::optional<Solid> solid = solid_of(*triangles, transform, static_cast<MeshInertia>(kind), fault);
-  return solid ? solid : refuse(mesh.place, mesh_name(mesh), fault);
+  return transform;
 }
 
 // Returns the path in the folder of meshes of the model, or else beside the file that declares the mesh.
@@ -107,34 +141,39 @@ fs::path Meshes::path_of(const Attribute& file) const {
   return fs::exists(beside, fault) ? beside : path;
 }
 
-std::optional<TriangleMesh> Meshes::read_triangles(const Element& mesh) {
+// nullopt with a fault, or after reporting malformed numbers.
+std::optional<TriangleMesh> Meshes::read_triangles(const Element& mesh, Diagnostics& diagnostics, Fault& fault) {
+  if (from_mjcf::find(mesh, "builtin") != nullptr || !mesh.children.empty())
+    return fault = {mesh.place, "MuJoCo generates it"}, std::nullopt;
   const Attribute* file = from_mjcf::find(mesh, "file");
   if (file == nullptr) {
     const Attribute* vertices = from_mjcf::find(mesh, "vertex");
-    if (vertices != nullptr) return read_inline(mesh, *vertices);
-    refuse(mesh.place, mesh_name(mesh), "it has neither 'file' nor 'vertex'");
-    return std::nullopt;
+    if (vertices != nullptr) return read_inline(mesh, *vertices, diagnostics, fault);
+    return fault = {mesh.place, "it has neither 'file' nor 'vertex'"}, std::nullopt;
   }
   const fs::path path = path_of(*file);
-  std::string fault;
-  const std::optional<std::string> content = read_file(path, fault);
+  std::string reason;
+  const std::optional<std::string> content = read_file(path, reason);
   if (!content) {
-    diagnostics_.error(
-        "unreadable-mesh", file->place, fmt::format("file '{}' of this mesh cannot be read", path.string()));
+    fault = {file->place, fmt::format("file '{}' of this mesh cannot be read", path.string()), true};
     return std::nullopt;
   }
   if (std::find(read_.begin(), read_.end(), path) == read_.end()) read_.push_back(path);
   const std::string extension = extension_of(path);
   const bool is_known = extension == ".stl" || extension == ".obj" || extension == ".msh";
-  if (!is_known) fault = "it is not an STL, OBJ or MSH file";
-  std::optional<TriangleMesh> result = is_known ? read_mesh(path, *content, fault) : std::nullopt;
-  if (!result) refuse(file->place, mesh_name(mesh), fault);
+  if (!is_known) reason = "it is not an STL, OBJ or MSH file";
+  std::optional<TriangleMesh> result = is_known ? read_mesh(path, *content, reason) : std::nullopt;
+  if (!result) fault = {file->place, reason};
   return result;
 }
 
-std::optional<TriangleMesh> Meshes::read_inline(const Element& mesh, const Attribute& vertices) {
+std::optional<TriangleMesh> Meshes::read_inline(
+    const Element& mesh,
+    const Attribute& vertices,
+    Diagnostics& diagnostics,
+    Fault& fault) {
   constexpr std::size_t kMost = 1000000;
-  Values values(diagnostics_);
+  Values values(diagnostics);
   TriangleMesh result;
   const std::optional<std::vector<Number>> given = values.read(vertices, 0, kMost);
   if (!given) return std::nullopt;
@@ -151,10 +190,8 @@ std::optional<TriangleMesh> Meshes::read_inline(const Element& mesh, const Attri
     std::array<std::uint32_t, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const double index = f[i + k].value();
-      if (!(index >= 0.0 && index < static_cast<double>(result.vertices.size()) && index == std::floor(index))) {
-        refuse(faces->place, mesh_name(mesh), "a face refers to a vertex that it does not have");
-        return std::nullopt;
-      }
+      if (!(index >= 0.0 && index < static_cast<double>(result.vertices.size()) && index == std::floor(index)))
+        return fault = {faces->place, "a face refers to a vertex that it does not have"}, std::nullopt;
       corners[k] = static_cast<std::uint32_t>(index);
     }
     result.faces.push_back(corners);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,15 +29,31 @@ class Meshes {
   // each mesh.
   const Solid* find(const Attribute& name);
 
+  // Returns the mesh of this name as a shape. nullptr after reporting that it cannot be read.
+  std::shared_ptr<const TriangleMesh> find_shape(const Attribute& name, Diagnostics& diagnostics);
+
  private:
   struct Asset {
     Element element;  // including its default attributes
     bool is_read = false;
     std::optional<Solid> solid;
+    std::shared_ptr<const TriangleMesh> shape = {};
+  };
+  // Why a mesh cannot be read.
+  struct Fault {
+    Place place;
+    std::string text;
+    bool is_of_file = false;  // which is not there; the text is a whole message
   };
 
-  std::optional<TriangleMesh> read_triangles(const Element& mesh);
-  std::optional<TriangleMesh> read_inline(const Element& mesh, const Attribute& vertices);
+  Asset* asset(const Attribute& name, Diagnostics& diagnostics);
+  MeshTransform transform_of(const Element& mesh, Diagnostics& diagnostics) const;
+  std::optional<TriangleMesh> read_triangles(const Element& mesh, Diagnostics& diagnostics, Fault& fault);
+  static std::optional<TriangleMesh> read_inline(
+      const Element& mesh,
+      const Attribute& vertices,
+      Diagnostics& diagnostics,
+      Fault& fault);
   std::filesystem::path path_of(const Attribute& file) const;
   std::optional<Solid> refuse(const Place& place, const std::string& name, const std::string& fault);
   std::optional<Solid> read(const Element& mesh);

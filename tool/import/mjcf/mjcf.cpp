@@ -80,6 +80,7 @@ std::optional<Mjcf> mjcf(
     diagnostics.note(
         "loops-can-be-left-open", document.loops.front().place, "--free-mimic-joints leaves the loops of MJCF open");
   if (!tree) return std::nullopt;
+  if (options.shapes.collisions) tree->geometry.may_touch = excluded_pairs(document, identifiers);
   result.tree = std::move(*tree);
   return result;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "import/mjcf/shapes.h"
+
 namespace robcogen::import::from_mjcf {
 
 namespace {
@@ -99,7 +101,9 @@ Document read_document(
   document.robot = choose_robot(document, options.robot, diagnostics);
   if (diagnostics.error_count() > errors_before) return document;  // what follows depends on the choice
   Meshes meshes(root, settings, defaults, file.parent_path(), read, diagnostics);
-  read_masses(document, {settings, defaults, diagnostics, meshes});
+  const Context context = {settings, defaults, diagnostics, meshes};
+  read_masses(document, context);
+  read_shapes(document, options.shapes, context);
   align_free_body(document, settings, diagnostics);
   for (const Element& section : root.children)
     if (section.name == "tendon") read_tendons(section, document, diagnostics);
@@ -110,7 +114,10 @@ Document read_document(
       read_actuators(section, defaults, document, diagnostics);
     } else if (section.name != "worldbody") {
       if (section.name == "tendon") check_tendons(section, settings, defaults, diagnostics);
-      ignore_section(section, document);
+      if (section.name == "contact" && options.shapes.are_checked)
+        read_excludes(section, document, diagnostics);
+      else
+        ignore_section(section, document);
     }
   }
   count_unused_tendons(document);

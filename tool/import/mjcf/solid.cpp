@@ -35,7 +35,7 @@ bool passes_an_edge_twice(const TriangleMesh& mesh) {
   return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
 }
 
-std::vector<Triangle> transformed(const TriangleMesh& mesh, const MeshTransform& transform) {
+std::vector<Vector3> transformed_vertices(const TriangleMesh& mesh, const MeshTransform& transform) {
   std::vector<Vector3> vertices;
   for (const auto& v : mesh.vertices) {
     const Vector3 from = Vector3{v[0], v[1], v[2]} - transform.shift;
@@ -46,11 +46,22 @@ std::vector<Triangle> transformed(const TriangleMesh& mesh, const MeshTransform&
     }
     vertices.push_back(to);
   }
-  // A mirrored mesh has its outside inside.
+  return vertices;
+}
+
+// A mirrored mesh has its outside inside: the order of the vertices of its faces is the other one.
+std::array<std::uint32_t, 3> turned_outwards(const std::array<std::uint32_t, 3>& face, const MeshTransform& transform) {
   const bool is_mirrored = transform.scale[0] * transform.scale[1] * transform.scale[2] < 0.0;
+  return is_mirrored ? std::array{face[0], face[2], face[1]} : face;
+}
+
+std::vector<Triangle> transformed(const TriangleMesh& mesh, const MeshTransform& transform) {
+  const std::vector<Vector3> vertices = transformed_vertices(mesh, transform);
   std::vector<Triangle> result;
-  for (const auto& face : mesh.faces)
-    result.push_back({{vertices[face[0]], vertices[face[is_mirrored ? 2 : 1]], vertices[face[is_mirrored ? 1 : 2]]}});
+  for (const auto& face : mesh.faces) {
+    const auto [a, b, c] = turned_outwards(face, transform);
+    result.push_back({{vertices[a], vertices[b], vertices[c]}});
+  }
   return result;
 }
 
@@ -85,6 +96,14 @@ double mean_product(const Triangle& t, std::size_t i, std::size_t k, MeshInertia
 }
 
 }  // namespace
+
+TriangleMesh transformed_mesh(const TriangleMesh& mesh, const MeshTransform& transform) {
+  TriangleMesh result;
+  for (const Vector3& v : transformed_vertices(mesh, transform))
+    result.vertices.push_back({static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])});
+  for (const auto& face : mesh.faces) result.faces.push_back(turned_outwards(face, transform));
+  return result;
+}
 
 std::optional<Solid> solid_of(
     const TriangleMesh& mesh,

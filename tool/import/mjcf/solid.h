@@ -24,6 +24,8 @@ struct MeshTransform {
   Vector3 scale = {1, 1, 1};
 };
 
+TriangleMesh transformed_mesh(const TriangleMesh& mesh, const MeshTransform& transform);
+
 // Of density 1.
 struct Solid {
   double volume = 0.0;                                                // m^3; of a shell, its area (m^2)

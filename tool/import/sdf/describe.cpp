@@ -112,6 +112,10 @@ class Describer {
       const Link& link = document_.links[l];
       const Carried& own = carried_[l];
       body(own.body).frames.push_back({names_.links[l], placement_of(own.pose), link.name.place});
+      for (const FramedShape& shape : link.shapes) {
+        const Pose frame = own.pose * relative_pose(document_, shape.frame, link.frame);
+        body(own.body).shapes.push_back(placed(shape.shape, names_.links[l], frame));
+      }
       if (own.body != kWorldLink || description_.floating_base) add_mass(link, own);
     }
   }

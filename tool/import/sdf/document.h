@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "import/body_shape.h"
 #include "import/pose.h"
 #include "import/sdf.h"
 #include "import/xml/located.h"
@@ -25,9 +26,9 @@ constexpr int kWorldLink = -1;
 
 // A frame: of a link, a joint, a model, or one that the file declares. Indices are those of Document::frames.
 struct Frame {
-  Name name;        // with the names of the models around it: `hand::finger`
-  Pose pose;        // in the frame `reference`
-  int scope = 0;    // the model, or the world, in which the next name is looked up
+  Name name;         // with the names of the models around it: `hand::finger`
+  Pose pose;         // in the frame `reference`
+  int scope = 0;     // the model, or the world, in which the next name is looked up
   Name relative_to;  // names the reference; empty: it is `reference`
   int reference = kWorld;
   int inner_scope = 0;  // in which the next two names are looked up: the model itself for the frame of a model
@@ -63,10 +64,17 @@ struct Inertial {
   bool is_automatic = false;  // to be computed from collisions
 };
 
+// A shape, which has a frame of its own: its pose may be given in that of another element.
+struct FramedShape {
+  BodyShape shape;  // its pose is in this frame
+  int frame = kWorld;
+};
+
 struct Link {
   Name name;
   int frame = kWorld;
   Inertial inertial;
+  std::vector<FramedShape> shapes = {};
 };
 
 enum class JointType { revolute, continuous, prismatic, fixed, ball, universal, screw };

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include "import/sdf/check.h"
 #include "import/sdf/include.h"
+#include "import/sdf/shapes.h"
 #include "support/index.h"
 
 namespace robcogen::import::from_sdf {
@@ -42,6 +44,7 @@ class DocumentReader {
         snapper_(options.snap_angles, diagnostics),
         reader_(snapper_, diagnostics),
         includer_(file, options.folders, included, diagnostics),
+        included_(included),
         folder_(file.parent_path()) {}
 
   Document read(const Element& root) {
@@ -63,6 +66,10 @@ class DocumentReader {
       if (world != nullptr) read_joints_of_world(*world, context, models, *robot);
       snapper_.note_count();
     }
+    if (options_.shapes.visuals) document_.ignored.erase("visual");
+    if (options_.shapes.collisions) document_.ignored.erase("collision");
+    for (const auto& [folder, meshes] : meshes_)
+      included_.insert(included_.end(), meshes.files().begin(), meshes.files().end());
     return std::move(document_);
   }
 
@@ -232,7 +239,7 @@ class DocumentReader {
       if (first < 0) first = frame;
     };
     for (const Element& child : model.children) {
-      if (child.name == "link") keep_first(first_link, read_link(child, scope));
+      if (child.name == "link") keep_first(first_link, read_link(child, scope, context));
       if (child.name == "frame") read_frame(child, scope);
       if (child.name == "joint") read_joint_of(child, scope, context);
       if (child.name == "model") keep_first(first_model, read_model(model_of(child, context), scope, false));
@@ -285,7 +292,7 @@ class DocumentReader {
     return document_.scopes[at(document_.scopes[at(scope)].names)].frames;
   }
 
-  int read_link(const Element& element, int scope) {
+  int read_link(const Element& element, int scope, const FileContext& context) {
     count_ignored(element, document_.ignored);
     const Name name = reader_.name(element);
     const int index = static_cast<int>(document_.frames.size());
@@ -297,7 +304,21 @@ class DocumentReader {
     link.frame = index;
     link.inertial = read_inertial(element, link.name.text, reader_);
     declare(frames_in(scope), name, index);
+    for (const Element& child : element.children)
+      if (child.name == "visual" || child.name == "collision") read_shape_of(child, scope, context);
     return index;
+  }
+
+  // Of the last link.
+  void read_shape_of(const Element& element, int scope, const FileContext& context) {
+    Link& link = document_.links.back();
+    ShapeMeshes& meshes = meshes_.try_emplace(context.folder, context.folder, options_.shapes).first->second;
+    std::optional<ReadShape> shape = read_shape(element, link.name.text, options_.shapes, meshes, diagnostics_);
+    if (!shape) return;
+    const int index = static_cast<int>(document_.frames.size());
+    Frame& frame = add_frame(shape->name, shape->pose, scope);
+    frame.reference = frame.carrier = link.frame;
+    link.shapes.push_back({std::move(shape->shape), index});
   }
 
   void read_frame(const Element& element, int scope) {
@@ -378,6 +399,8 @@ class DocumentReader {
   AngleSnapper snapper_;
   ElementReader reader_;
   Includer includer_;
+  std::map<std::filesystem::path, ShapeMeshes> meshes_;  // by folder
+  std::vector<std::filesystem::path>& included_;
   std::filesystem::path folder_;
   Document document_;
   int depth_ = 0;

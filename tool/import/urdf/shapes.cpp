@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "import/body_shape.h"
 #include "import/urdf/element_reader.h"
 
 namespace robcogen::import::from_urdf {
@@ -73,7 +74,7 @@ class ShapeReader {
 
   double positive(const Element& element, const char* attribute) {
     const double value = reader_.scalar(element, attribute).value();
-    if (const Attribute* given = find(element, attribute)) require_positive(value, *given);
+    if (const Attribute* given = find(element, attribute)) require_length(value, *given);
     return value;
   }
 
@@ -82,29 +83,37 @@ class ShapeReader {
     const std::size_t errors_before = reader_.diagnostics().error_count();
     const std::array<Number, 3> numbers = reader_.triple(attribute);
     for (std::size_t k = 0; k < 3; ++k) values[k] = numbers[k].value();
-    if (reader_.diagnostics().error_count() == errors_before)
-      require_positive(std::min({values[0], values[1], values[2]}), attribute);
+    if (reader_.diagnostics().error_count() > errors_before) return values;
+    const auto [least, most] = std::minmax({values[0], values[1], values[2]});
+    require_length(least > 0 ? most : least, attribute);
     return values;
   }
 
-  void require_positive(double value, const Attribute& attribute) {
-    if (value > 0) return;
+  void require_length(double value, const Attribute& attribute) {
+    if (const std::string fault = fault_of_length(value); !fault.empty()) refuse_size(attribute, fault);
+  }
+
+  void refuse_size(const Attribute& attribute, const std::string& fault) {
     reader_.diagnostics().error(
         "shape-size", reader_.place(attribute.span),
-        fmt::format("'{}' of a shape of link '{}' is not positive", attribute.name, link_));
+        fmt::format("'{}' of a shape of link '{}' {}", attribute.name, link_, fault));
   }
 
   void read_mesh(const Element& element, model::Shape& shape) {
     shape.size = {1, 1, 1};
     if (const Attribute* scale = find(element, "scale")) {
+      const std::size_t errors_before = reader_.diagnostics().error_count();
       const std::array<Number, 3> factors = reader_.triple(*scale);
       for (std::size_t k = 0; k < 3; ++k) shape.size[k] = factors[k].value();
+      if (reader_.diagnostics().error_count() == errors_before && shape.size[0] * shape.size[1] * shape.size[2] == 0)
+        refuse_size(*scale, "is zero");
     }
     const Attribute* file = reader_.require(element, "filename");
     if (file == nullptr) return;
     shape.file = file->value;
     std::string fault, hint;
     shape.mesh = meshes_.find(file->value, fault, hint);
+    if (shape.mesh && is_too_large(*shape.mesh, shape.size)) shape.mesh = nullptr, fault = "is larger than 1e6 m";
     if (!shape.mesh)
       reader_.diagnostics()
           .error(
@@ -113,22 +122,6 @@ class ShapeReader {
           .hint = hint;
   }
 };
-
-// Adds what was found in a shape. Returns whether the shape is used: if it must not be missing, it is wrong otherwise.
-bool add_findings(const Diagnostics& found, bool is_needed, Diagnostics& diagnostics) {
-  for (const Diagnostic& d : found.all()) {
-    const bool is_error = d.severity == Severity::error;
-    if (is_error && is_needed) {
-      diagnostics.error(d.code, d.place, d.message) = d;
-      continue;
-    }
-    Diagnostic& copy =
-        diagnostics.warning(d.code, d.place, is_error ? d.message + ": the shape is left out" : d.message);
-    copy.notes = d.notes;
-    copy.hint = d.hint;
-  }
-  return !found.has_errors();
-}
 
 }  // namespace
 

@@ -25,6 +25,7 @@ std::set<std::string> bodies_of(const model::KinematicTree& tree) {
   std::set<std::string> names;
   for (const model::UserFrame& frame : tree.user_frames) names.insert(frame.name);
   for (const model::Link& link : tree.links) names.insert(link.name);
+  for (const model::Shape& shape : tree.geometry.shapes) names.insert(shape.body);
   return names;
 }
 
