@@ -218,7 +218,7 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
   std::vector<fs::path> others;
   for (const std::string& other : {options.depfile, options.stamp})
     if (!other.empty()) others.emplace_back(other);
-  write_files(options.output, files, model.read, others);
+  write_generated_files(options.output, files, model.read, others);
   for (const Listed& listed : lists) remove_stale(options, listed, model.read);
   if (!options.depfile.empty()) {
     const std::string target = options.depfile_target.empty() ? options.stamp : options.depfile_target;

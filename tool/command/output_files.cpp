@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
+#include <string>
 #include <system_error>
 
 #include "command/status.h"
@@ -11,6 +13,8 @@ namespace robcogen::command {
 namespace {
 
 namespace fs = std::filesystem;
+
+const char* const kGenerated = "enerated by robcogen";  // in every file of a library, with a small or a large letter
 
 std::string name_of(const fs::path& path, const char* of_stream) {
   return path == "-" ? of_stream : fmt::format("'{}'", path.string());
@@ -30,6 +34,40 @@ void require_different(const std::vector<fs::path>& outputs) {
                          "robcogen: error: the outputs '{}' and '{}' are the same file [outputs-coincide]",
                          earlier->second->string(), output.string())};
   }
+}
+
+void require_generated(const fs::path& folder, const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files) {
+    const fs::path path = folder / file.path;
+    std::error_code fault;
+    if (file.text.find(kGenerated) == std::string::npos || !fs::is_regular_file(path, fault)) continue;
+    std::string reason;
+    const std::optional<std::string> there = read_file(path, reason);
+    if (!there || there->empty() || there->find(kGenerated) != std::string::npos) continue;
+    throw Failure{
+        wrong_usage, fmt::format(
+                         "robcogen: error: a generated file would replace '{}', which was not generated "
+                         "[output-is-not-generated]\nhint: name another folder or library, or remove the file",
+                         path.string())};
+  }
+}
+
+void require_distinct(
+    const fs::path& folder,
+    const std::vector<OutputFile>& files,
+    const std::vector<fs::path>& inputs,
+    const std::vector<fs::path>& others) {
+  std::vector<fs::path> outputs;
+  for (const OutputFile& file : files) outputs.push_back(folder / file.path);
+  outputs.insert(outputs.end(), others.begin(), others.end());
+  require_apart(outputs, inputs);
+  require_different(outputs);
+}
+
+void write_all(const fs::path& folder, const std::vector<OutputFile>& files) {
+  std::string error;
+  if (!write_files_if_changed(folder, files, error))
+    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
 }
 
 }  // namespace
@@ -57,14 +95,18 @@ void write_files(
     const std::vector<OutputFile>& files,
     const std::vector<fs::path>& inputs,
     const std::vector<fs::path>& others) {
-  std::vector<fs::path> outputs;
-  for (const OutputFile& file : files) outputs.push_back(folder / file.path);
-  outputs.insert(outputs.end(), others.begin(), others.end());
-  require_apart(outputs, inputs);
-  require_different(outputs);
-  std::string error;
-  if (!write_files_if_changed(folder, files, error))
-    throw Failure{wrong_usage, fmt::format("robcogen: error: {}", error)};
+  require_distinct(folder, files, inputs, others);
+  write_all(folder, files);
+}
+
+void write_generated_files(
+    const fs::path& folder,
+    const std::vector<OutputFile>& files,
+    const std::vector<fs::path>& inputs,
+    const std::vector<fs::path>& others) {
+  require_distinct(folder, files, inputs, others);
+  require_generated(folder, files);
+  write_all(folder, files);
 }
 
 }  // namespace robcogen::command

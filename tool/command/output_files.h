@@ -31,4 +31,11 @@ void write_files(
     const std::vector<std::filesystem::path>& inputs,
     const std::vector<std::filesystem::path>& others = {});
 
+// The same for the files of a library. Throws a Failure if one of them would replace a file that was not generated.
+void write_generated_files(
+    const std::filesystem::path& folder,
+    const std::vector<OutputFile>& files,
+    const std::vector<std::filesystem::path>& inputs,
+    const std::vector<std::filesystem::path>& others);
+
 }  // namespace robcogen::command

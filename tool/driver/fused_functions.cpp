@@ -24,6 +24,11 @@ using algorithm::Declaration;
 using algorithm::Declared;
 using model::FusedFunction;
 
+// In code for GPUs, `kernel_f` and `batch_f` are made for each function f.
+bool begins_like_kernel(const std::string& name) {
+  return name.starts_with("kernel_") || name.starts_with("batch_");
+}
+
 class FunctionChecker {
  public:
   FunctionChecker(const model::KinematicTree& tree, const model::DesiredTransforms& desired, Diagnostics& diagnostics)
@@ -78,7 +83,9 @@ class FunctionChecker {
     if (!taken.empty())
       diagnostics_.error("name-taken", function.place, fmt::format("robot '{}' has '{}' already", tree_.name, taken))
           .hint = "give the fused function another name";
-    else if (backend::cpp::identifier(function.name) != function.name || backend::cpp::is_taken(function.name))
+    else if (
+        backend::cpp::identifier(function.name) != function.name || backend::cpp::is_taken(function.name) ||
+        begins_like_kernel(function.name))
       diagnostics_
           .error("name-taken", function.place, fmt::format("'{}' is a name of the generated code", function.name))
           .hint = "give the fused function another name";

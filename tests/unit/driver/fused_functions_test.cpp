@@ -84,7 +84,9 @@ TEST(FusedFunctions, RefuseNamesThatAreTaken) {
   expect_message("biasForces = joint_space_inertia + gravity_forces", "robot 'Rods' has 'bias_forces' already");
   expect_message(
       "bias_forces_gravity = joint_space_inertia + gravity_forces", "robot 'Rods' has 'bias_forces' already");
-  for (const char* name : {"jacobians", "world", "double", "robot", "gravity", "joint_state", "kDof", "f32", "link"}) {
+  for (const char* name :
+       {"jacobians", "world", "double", "robot", "gravity", "joint_state", "kDof", "f32", "link", "kernel_energy",
+        "batch_energy"}) {
     const std::string all = messages({std::string(name) + " = joint_space_inertia + gravity_forces"});
     EXPECT_NE(all.find("[name-taken]"), std::string::npos) << name << ": " << all;
     EXPECT_NE(all.find(kHint), std::string::npos) << name << ": " << all;
