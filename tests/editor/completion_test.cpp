@@ -89,6 +89,13 @@ TEST(Completion, OfLists) {
   EXPECT_EQ(pair, (Labels{"tip", "fr_base", "fr_upper", "fr_shoulder"})) << "those of the list first";
   EXPECT_TRUE(has(in_list("Robot Arm Frames { tip } Transforms { | }"), "target"));
   EXPECT_TRUE(has(in_list("Robot Arm Contacts { | }"), "surface"));
+  const std::string functions =
+      "Robot Arm Frames { fr_base, tip } Jacobians { base = fr_base, target = tip } Functions { ";
+  EXPECT_EQ(in_list(functions + "| }"), Labels()) << "a name of the user's";
+  const Labels parts = in_list(functions + "terms = bias_forces + | }");
+  EXPECT_TRUE(has(parts, "joint_space_inertia") && has(parts, "jacobians.fr_base_J_tip"));
+  EXPECT_FALSE(has(parts, "terms"));
+  EXPECT_EQ(in_list(functions + "terms = bias_forces + jacobians.| }"), Labels{"fr_base_J_tip"});
 }
 
 TEST(Completion, OfMotionsAndTransforms) {

@@ -1,4 +1,6 @@
 // Completion in lists of desired transforms.
+#include "driver/find_function.h"
+#include "driver/fused_functions.h"
 #include "server/completion.h"
 #include "server/features.h"
 
@@ -17,6 +19,25 @@ void add_frames_of_model(Workspace& workspace, Lookup& lookup, CompletionItems& 
     if (o.symbol.kind == NameKind::frame) items.add(o.symbol.name, field_item, "frame");
 }
 
+// The parts of a fused function: names of functions, or what follows the scopes that are written.
+void add_functions_of_robot(Workspace& workspace, Lookup& lookup, const Context& context, CompletionItems& items) {
+  std::string scope;
+  std::size_t end = context.before.size();
+  for (; end >= 2 && context.before[end - 1].text == "."; end -= 2)
+    scope = std::string(context.before[end - 2].text) + "." + scope;
+  if (end == 0 || (context.before[end - 1].text != "=" && context.before[end - 1].text != "+")) return;
+  const Parsed* model = lookup.names.model_of(*lookup.document);
+  if (model == nullptr) return;
+  const auto tree = tree_of(workspace, model->path);
+  if (!tree) return;
+  const language::desired::Document& list = *lookup.document->desired();
+  Diagnostics ignored;  // they are published
+  for (const auto& fused : list.functions) items.leave_out(fused.name.text);
+  for (const std::string& name :
+       driver::function_names({*tree, driver::checked_desired_transforms(list, *tree, ignored)}))
+    if (name.starts_with(scope)) items.add(name.substr(scope.size()), function_item, "function of the robot");
+}
+
 }  // namespace
 
 void complete_list(Workspace& workspace, Lookup& lookup, const Context& context, CompletionItems& items) {
@@ -32,7 +53,7 @@ void complete_list(Workspace& workspace, Lookup& lookup, const Context& context,
     add_frames_of_model(workspace, lookup, items);
     return;
   }
-  if (block == "Functions") return;
+  if (block == "Functions") return add_functions_of_robot(workspace, lookup, context, items);
   if (!context.follows("=")) items.add_words(driver::Language::desired, block);
   add_frames_of_model(workspace, lookup, items);
 }
