@@ -93,9 +93,13 @@ TEST(Completion, OfLists) {
       "Robot Arm Frames { fr_base, tip } Jacobians { base = fr_base, target = tip } Functions { ";
   EXPECT_EQ(in_list(functions + "| }"), Labels()) << "a name of the user's";
   const Labels parts = in_list(functions + "terms = bias_forces + | }");
-  EXPECT_TRUE(has(parts, "joint_space_inertia") && has(parts, "jacobians.fr_base_J_tip"));
+  EXPECT_TRUE(has(parts, "passive_forces") && has(parts, "jacobians.fr_base_J_tip"));
   EXPECT_FALSE(has(parts, "terms"));
-  EXPECT_EQ(in_list(functions + "terms = bias_forces + jacobians.| }"), Labels{"fr_base_J_tip"});
+  const Labels jacobians = in_list(functions + "terms = bias_forces + jacobians.| }");
+  EXPECT_TRUE(has(jacobians, "fr_base_J_tip") && has(jacobians, "spatial.fr_base_J_tip"));
+  EXPECT_FALSE(has(jacobians, "passive_forces"));
+  EXPECT_EQ(in_list(functions + "terms = jacobians.fr| }"), jacobians) << "the client filters";
+  EXPECT_EQ(in_list(functions + "terms = jacobians.spatial.| }"), Labels{"fr_base_J_tip"});
 }
 
 TEST(Completion, OfMotionsAndTransforms) {

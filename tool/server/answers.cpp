@@ -29,7 +29,7 @@ const Answer* find_answer(const std::string& method) {
 Json capabilities_of_answers() {
   return {
       {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
-      {"completionProvider", {{"triggerCharacters", {"=", "{"}}}},
+      {"completionProvider", {{"triggerCharacters", {"=", "{", "."}}}},
       {"definitionProvider", true},
       {"documentFormattingProvider", true},
       {"documentHighlightProvider", true},

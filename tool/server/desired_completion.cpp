@@ -1,6 +1,6 @@
 // Completion in lists of desired transforms.
 #include "driver/find_function.h"
-#include "driver/fused_functions.h"
+#include "import/kinematics.h"
 #include "server/completion.h"
 #include "server/features.h"
 
@@ -23,18 +23,22 @@ void add_frames_of_model(Workspace& workspace, Lookup& lookup, CompletionItems& 
 void add_functions_of_robot(Workspace& workspace, Lookup& lookup, const Context& context, CompletionItems& items) {
   std::string scope;
   std::size_t end = context.before.size();
-  for (; end >= 2 && context.before[end - 1].text == "."; end -= 2)
-    scope = std::string(context.before[end - 2].text) + "." + scope;
+  const auto take_scope = [&] { scope = std::string(context.before[--end].text) + "." + scope; };
+  // A point is a token only if a name follows it.
+  const bool is_after_point = lookup.offset > 0 && lookup.document->source->text()[lookup.offset - 1] == '.';
+  if (is_after_point && !context.follows(".") && end > 0) take_scope();
+  while (end >= 2 && context.before[end - 1].text == ".") --end, take_scope();
   if (end == 0 || (context.before[end - 1].text != "=" && context.before[end - 1].text != "+")) return;
   const Parsed* model = lookup.names.model_of(*lookup.document);
   if (model == nullptr) return;
   const auto tree = tree_of(workspace, model->path);
   if (!tree) return;
-  const language::desired::Document& list = *lookup.document->desired();
-  Diagnostics ignored;  // they are published
+  language::desired::Document list = *lookup.document->desired();
   for (const auto& fused : list.functions) items.leave_out(fused.name.text);
-  for (const std::string& name :
-       driver::function_names({*tree, driver::checked_desired_transforms(list, *tree, ignored)}))
+  list.functions.clear();  // one of them is being written
+  Diagnostics ignored;     // they are published
+  const model::DesiredTransforms desired = import::desired_transforms(list, *tree, ignored);
+  for (const std::string& name : driver::function_names({*tree, desired}))
     if (name.starts_with(scope)) items.add(name.substr(scope.size()), function_item, "function of the robot");
 }
 
