@@ -58,10 +58,11 @@ const std::vector<std::string>& groups() {
   return list;
 }
 
-// Examples of the derivatives that a user can ask for.
-const std::vector<driver::Derivative>& derivatives() {
-  static const std::vector<driver::Derivative> list = {
+// Examples of the derivatives that a user of this robot can ask for.
+std::vector<driver::Derivative> derivatives_of(const KinematicTree& tree) {
+  std::vector<driver::Derivative> list = {
       {"inverse_dynamics", {"q", "qd"}}, {"forward_dynamics", {"q"}}, {"joint_space_inertia", {"q"}}};
+  std::erase_if(list, [&](const driver::Derivative& d) { return !algorithm::is_available(tree, d.function); });
   return list;
 }
 
@@ -258,7 +259,7 @@ const Program& plain_program(std::map<std::string, Program>& plain, const std::s
 std::string losses(const KinematicTree& tree) {
   std::string text;
   const backend::Library library = driver::library(
-      driver::Model{driver::Robot{tree, {}, derivatives()}}, {.names = {"robot"}, .groups = groups()},
+      driver::Model{driver::Robot{tree, {}, derivatives_of(tree)}}, {.names = {"robot"}, .groups = groups()},
       {.caches_parameters = true, .has_lanes = true});
   std::map<std::string, Program> plain;
   algorithm::Formulation plain_draft = algorithm::plain_formulation();
