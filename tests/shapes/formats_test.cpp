@@ -145,7 +145,7 @@ TEST(MjcfShapes, PairsAreThoseOfTheDocument) {
       1u);
 }
 
-// The links between the joints of a body are no bodies.
+// Links between the joints of a body do not count as bodies.
 TEST(MjcfShapes, SeveralJointsConnectTwoBodies) {
   const Folder folder;
   const std::string joints = "<joint name='x' axis='1 0 0'/><joint name='y' axis='0 1 0'/>";

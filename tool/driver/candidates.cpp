@@ -133,9 +133,9 @@ Functions choose_candidates(
     choose_candidate(function, parameters, formulations.with(effort), passes);
   };
   const auto choose_among = [&](const std::vector<int>& efforts, Function& function) {
+    if (efforts.size() == 1) return choose_with(efforts.front(), function);
     const Function declared = function;
     choose_with(efforts.front(), function);
-    if (efforts.size() == 1) return;
     int least = cost(function);
     for (auto effort = efforts.begin() + 1; effort != efforts.end(); ++effort) {
       Function other = declared;

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "algorithm/formulation/congruent_limbs.h"
 #include "pass/lanes/pack_lanes.h"
 #include "pass/passes.h"
-#include "support/parallel.h"
 #include "symbolic/cost.h"
 
 namespace robcogen::driver {
@@ -23,7 +20,7 @@ using symbolic::Program;
 // A program with lanes.
 struct InLanes {
   pass::Packed packed;
-  int starts = 0;      // half cycles in which its instructions start: calls in a row do not wait for the critical path
+  int starts = 0;
   std::string method;  // how it is computed
 };
 
@@ -74,8 +71,8 @@ class LanesOfFunction {
   void add(const Program& program, const std::string& method) {
     std::optional<pass::Packed> packed = pass::pack_lanes_within(program, classes_, time_);
     if (!packed) return;
-    const symbolic::Cost cost = symbolic::cost(packed->program);
-    found_.push_back({std::move(*packed), weighted(cost, symbolic::kStarts), method});
+    const int time = starts(packed->program);
+    found_.push_back({std::move(*packed), time, method});
   }
 
   // Adds the program of a formulation in which congruent limbs fold in the same way, if it is a different program.
@@ -106,8 +103,16 @@ class LanesOfFunction {
 
 }  // namespace
 
-void pack_lanes(const Robot& robot, Function& function, Formulations& formulations, const Passes& passes) {
-  const std::vector<algorithm::LimbsInLanes> limbs = algorithm::limbs_in_lanes(robot.tree);
+int starts(const Program& program) {
+  return weighted(symbolic::cost(program), symbolic::kStarts);
+}
+
+void pack_lanes(
+    const Robot& robot,
+    const std::vector<algorithm::LimbsInLanes>& limbs,
+    Function& function,
+    Formulations& formulations,
+    const Passes& passes) {
   if (limbs.empty() || function.in_lanes || !function.without_lanes.empty()) return;
   LanesOfFunction lanes(function, limbs, robot.tree, formulations, passes);
   std::optional<InLanes> best = lanes.choose();

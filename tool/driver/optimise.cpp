@@ -24,11 +24,6 @@ symbolic::Function function_of(const char* group, symbolic::Program program, std
   return function;
 }
 
-// The half cycles in which the instructions of a program start.
-int starts(const symbolic::Program& program) {
-  return weighted(symbolic::cost(program), symbolic::kStarts);
-}
-
 Functions run_passes(Functions functions, const Passes& passes) {
   for_each_index(functions.list.size(), [&](std::size_t i) {
     symbolic::Program& program = functions.list[i].program;
@@ -137,9 +132,11 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
   const bool has_lanes = features.has_lanes && steps.has_lanes();
+  const std::vector<algorithm::LimbsInLanes> limbs =
+      has_lanes ? algorithm::limbs_in_lanes(robot->tree) : std::vector<algorithm::LimbsInLanes>();
   FormulationsByEffort formulations(*robot, steps.formulation());
   const auto pack = [&](Function& function) {
-    pack_lanes(*robot, function, formulations.with(function.effort), passes);
+    pack_lanes(*robot, limbs, function, formulations.with(function.effort), passes);
   };
   const CostOfPrinted cost = [&](Function& function) {
     if (has_lanes && !function.solved) pack(function);

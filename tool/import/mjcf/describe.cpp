@@ -227,14 +227,6 @@ class Describer {
   UniqueNames names_;
 };
 
-}  // namespace
-
-model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics) {
-  return Describer(document, identifiers, diagnostics).describe();
-}
-
-namespace {
-
 bool may_meet(const Body& a, const Body& b) {
   for (const ContactBits& x : a.contact)
     for (const ContactBits& y : b.contact)
@@ -243,6 +235,10 @@ bool may_meet(const Body& a, const Body& b) {
 }
 
 }  // namespace
+
+model::Description describe(const Document& document, const Identifiers& identifiers, Diagnostics& diagnostics) {
+  return Describer(document, identifiers, diagnostics).describe();
+}
 
 std::vector<std::array<std::string, 2>> excluded_pairs(const Document& document, const Identifiers& identifiers) {
   std::vector<std::array<std::string, 2>> pairs;
