@@ -18,4 +18,15 @@ static_assert(
     "The tables of a generated library have gaps between members: compile this file without -fpack-struct, and include "
     "the header outside of #pragma pack.");
 
+// clang packs members that ask for an alignment of their own, as those of Eigen do; gcc does not.
+struct WithAlignedMember {
+  char first;
+  alignas(16) char second;
+};
+
+static_assert(
+    offsetof(WithAlignedMember, second) == 16,
+    "The matrices in structures of results need their alignment: compile this file without -fpack-struct, and include the "
+    "header outside of #pragma pack.");
+
 }  // namespace robcogen::layout
