@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "at.h"
 #include "dice.h"
 #include "reference_tables.h"
 #include "rewritten_robot.h"
@@ -23,10 +24,6 @@ using model::Quantity;
 using model::UserFrame;
 using reference::Matrix;
 using reference::Vector;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 Quantity length(Dice& dice) {
   return dice.chance(0.35) ? Quantity() : Quantity(dice.between(-0.5, 0.5));

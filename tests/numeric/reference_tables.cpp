@@ -63,18 +63,18 @@ reference::Tables::Body body(const model::Inertia& inertia, std::span<const doub
   return result;
 }
 
-JointType type_of(model::JointType type) {
+robcogen::JointType type_of(model::JointType type) {
   switch (type) {
     case model::JointType::revolute:
       break;
     case model::JointType::prismatic:
-      return JointType::prismatic;
+      return robcogen::JointType::prismatic;
     case model::JointType::helical:
-      return JointType::helical;
+      return robcogen::JointType::helical;
     case model::JointType::spherical:
-      return JointType::spherical;
+      return robcogen::JointType::spherical;
   }
-  return JointType::revolute;
+  return robcogen::JointType::revolute;
 }
 
 // Returns the rotor axis in axes of the carrier, with unit length.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "at.h"
 #include "robcogen/reference/kinematics.h"
 
 namespace robcogen::numeric {
@@ -18,10 +19,6 @@ using model::UserFrame;
 using reference::Matrix;
 using reference::Vector;
 using Real = long double;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 Quantity quantity(Real value) {
   return Quantity(static_cast<double>(value));

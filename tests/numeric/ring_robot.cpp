@@ -4,12 +4,10 @@
 
 #include <cmath>
 
+#include "at.h"
+
 namespace robcogen::numeric {
 namespace {
-
-std::size_t at(int k) {
-  return static_cast<std::size_t>(k);
-}
 
 bool is_before(int link, int cut) {
   return link <= cut;

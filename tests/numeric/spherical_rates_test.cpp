@@ -6,6 +6,7 @@
 
 #include "algorithm/catalogue/catalogue.h"
 #include "algorithm/kinematics/kinematics.h"
+#include "at.h"
 #include "interpreted_robot.h"
 #include "random_drives.h"
 #include "random_robot.h"
@@ -22,10 +23,6 @@ using Arrays = symbolic::Arrays<Real>;
 constexpr int kRobots = 12;
 constexpr double kSame = 1e-9;  // for a fourth-order difference with step 1e-3, of functions with rates up to ten
 constexpr Real kStep = 1e-3L;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Every other robot has rotors and other drives on the remaining joints.
 KinematicTree robot_of(int number) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 
+#include "at.h"
 #include "dice.h"
 #include "model/plausibility.h"
 #include "model/spherical_joints.h"
@@ -15,10 +16,6 @@ using model::KinematicTree;
 using model::Quantity;
 using reference::Matrix;
 using reference::Vector;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The constant rotations about x in front of the three axes, in quarter turns.
 std::array<int, 3> quarters(const EulerRobot& euler) {

@@ -4,7 +4,7 @@
 
 #include "robcogen/reference/check_batch.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::check_batch_test {
 namespace {
 
 using batch::Level;
@@ -103,4 +103,4 @@ TEST(RandomInputs, HaveQuaternionsOfUnitLength) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::check_batch_test

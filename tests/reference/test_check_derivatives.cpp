@@ -1,7 +1,7 @@
 // The checks of derivatives find the mistakes that they are meant to find.
 #include "right_subject.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::check_derivatives_test {
 namespace {
 
 // The wrench on a link is treated as if its axes did not move with the joints.
@@ -86,4 +86,4 @@ TEST(Checks, FindABaseThatIsHeldInDerivatives) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::check_derivatives_test

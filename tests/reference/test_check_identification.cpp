@@ -4,7 +4,7 @@
 #include "robcogen/reference/check_identification.h"
 #include "sample_robots.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::check_identification_test {
 namespace {
 
 // A robot whose only mass property is one of the inertial parameters, without drives.
@@ -232,4 +232,4 @@ TEST(IdentificationChecks, FindACoriolisMatrixThatIsNotSkew) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::check_identification_test

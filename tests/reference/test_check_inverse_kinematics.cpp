@@ -3,7 +3,7 @@
 
 #include "sample_robots.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::check_inverse_kinematics_test {
 namespace {
 
 constexpr double kUpper = 0.4, kLower = 0.3;
@@ -98,4 +98,4 @@ TEST(Checks, FindMistakesInInverseKinematics) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::check_inverse_kinematics_test

@@ -6,7 +6,7 @@
 #include "robcogen/reference/check_frame_motion.h"
 #include "robcogen/reference/compiled_robot.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::check_kinematics_test {
 namespace {
 
 // A library whose matrices are stored by rows, although its kernels write columns.
@@ -152,4 +152,4 @@ TEST(Checks, FindColumnsOfOtherJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::check_kinematics_test

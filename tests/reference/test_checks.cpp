@@ -2,7 +2,7 @@
 // the checks that are meant to find it.
 #include "right_subject.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::checks_test {
 namespace {
 
 TEST(Checks, PassWhatIsRight) {
@@ -270,4 +270,4 @@ TEST(Checks, FindWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::checks_test

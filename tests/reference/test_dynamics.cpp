@@ -4,7 +4,7 @@
 
 #include "sample_robots.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::dynamics_test {
 namespace {
 
 // Rounding of a few dozen operations, relative to forces of order 100.
@@ -216,4 +216,4 @@ TEST(ReferenceDynamics, NoJoints) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::dynamics_test

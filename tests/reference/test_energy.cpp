@@ -3,7 +3,7 @@
 
 #include "sample_robots.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::energy_test {
 namespace {
 
 using Real = long double;
@@ -89,4 +89,4 @@ TEST(ReferenceEnergyClosedForm, Pendulum) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::energy_test

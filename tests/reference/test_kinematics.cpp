@@ -4,7 +4,7 @@
 #include "robcogen/reference/check_frame_motion.h"
 #include "sample_robots.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::kinematics_test {
 namespace {
 
 // Rounding of a dozen 4 x 4 products of order one.
@@ -175,4 +175,4 @@ TEST(ReferenceKinematics, MotionOfTheBaseAddsToMotionWithRespectToIt) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::kinematics_test

@@ -5,7 +5,7 @@
 
 #include "robcogen/reference/checks.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::matrix_test {
 namespace {
 
 constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
@@ -74,4 +74,4 @@ TEST(ReferenceChecks, CountsFailuresOfTheLargestErrors) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::matrix_test

@@ -6,7 +6,7 @@
 
 #include "robcogen/reference/check_transforms.h"
 
-namespace robcogen::reference {
+namespace robcogen::reference::transforms_test {
 namespace {
 
 using reflection::Amount;
@@ -115,4 +115,4 @@ TEST(ReferenceTransforms, AmountsKnowTheLargestMagnitudeOnTheWay) {
 }
 
 }  // namespace
-}  // namespace robcogen::reference
+}  // namespace robcogen::reference::transforms_test
