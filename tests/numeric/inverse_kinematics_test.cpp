@@ -142,7 +142,7 @@ int poses() {
 }
 
 void for_each_chain(const std::function<void(const Chain&, const Inverted&)>& check) {
-  for (const std::uint64_t seed : {1, 2})
+  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}})
     for (const Chain& chain : chains(seed)) {
       SCOPED_TRACE(chain.name + ", seed " + std::to_string(seed));
       const Inverted inverted = inverted_chain(chain);

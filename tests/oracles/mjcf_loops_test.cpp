@@ -58,7 +58,7 @@ class Comparison {
         continue;
       }
       Ball ball{id, {}, Matrix3d::Identity()};
-      for (int i = 0; i < 3; ++i) ball.hinges[i] = joint_called(name + "_" + std::to_string(i + 1));
+      for (std::size_t i = 0; i < 3; ++i) ball.hinges[i] = joint_called(name + "_" + std::to_string(i + 1));
       const std::string body = import::identifier(mj_id2name(&model, mjOBJ_BODY, model.jnt_bodyid[id]));
       for (int f = 0; f < tables_.frames.size; ++f)
         if (tables_.frames[f].name == body) ball.link_R_body = rotation(tables_.frames[f].rotation);
@@ -132,7 +132,7 @@ class Comparison {
       // The body turns from its pose at zero, in axes of the body.
       Matrix3d turned = Matrix3d::Identity(), zero = Matrix3d::Identity();
       std::array<Matrix3d, 3> parent_R_child;
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         const Matrix3d placed = rotation(tables_.joints[ball.hinges[i]].rotation);
         parent_R_child[i] = placed * Eigen::AngleAxisd(state.joints(ball.hinges[i]), Vector3d::UnitZ());
         turned = turned * parent_R_child[i];
@@ -142,7 +142,7 @@ class Comparison {
       const double elements[] = {q.w(), q.x(), q.y(), q.z()};
       std::copy(elements, elements + 4, data_->qpos + model_.jnt_qposadr[ball.id]);
       Matrix3d body_R_child = ball.link_R_body.transpose();
-      for (int i = 2; i >= 0; --i) {
+      for (std::size_t i = 3; i-- > 0;) {
         result.T.block<3, 1>(model_.jnt_dofadr[ball.id], base_ + ball.hinges[i]) = body_R_child.col(2);
         body_R_child = body_R_child * parent_R_child[i].transpose();
       }

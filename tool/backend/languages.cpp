@@ -41,7 +41,7 @@ const std::vector<Language>& languages() {
        .takes_transforms = true,
        .print = maxima::print},
       {.name = "gpu",
-       .features = {.caches_parameters = true, .column_loops = ColumnLoops::if_faster},
+       .features = {.caches_parameters = true, .has_both = true, .column_loops = ColumnLoops::if_faster},
        .print = gpu::print},
       {.name = "python",
        .features = {.caches_parameters = true, .column_loops = ColumnLoops::if_faster},

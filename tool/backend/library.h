@@ -35,6 +35,7 @@ struct Features {
   bool caches_parameters =
       false;                 // functions read values that depend on parameters alone from a cache: Library::updates
   bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool has_both = false;     // the same, beside the program that is the fastest without lanes
   bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
   ColumnLoops column_loops = ColumnLoops::none;
 };

@@ -26,7 +26,7 @@ using model::FusedFunction;
 
 // In code for GPUs, `kernel_f` and `batch_f` are made for each function f.
 bool begins_like_kernel(const std::string& name) {
-  return name.starts_with("kernel_") || name.starts_with("batch_");
+  return name.starts_with("kernel_") || name.starts_with("batch_") || name.starts_with("in_lanes_");
 }
 
 class FunctionChecker {

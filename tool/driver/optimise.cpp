@@ -131,7 +131,7 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
   const Robot* robot = model.robot();
   if (!robot) return run_passes(std::move(functions), passes);
   const bool splits = features.caches_parameters && !robot->tree.parameters.empty();
-  const bool has_lanes = features.has_lanes && steps.has_lanes();
+  const bool has_lanes = (features.has_lanes || features.has_both) && steps.has_lanes();
   const std::vector<algorithm::LimbsInLanes> limbs =
       has_lanes ? algorithm::limbs_in_lanes(robot->tree) : std::vector<algorithm::LimbsInLanes>();
   FormulationsByEffort formulations(*robot, steps.formulation());
@@ -139,7 +139,7 @@ Functions optimise(const Model& model, Functions functions, const Steps& steps, 
     pack_lanes(*robot, limbs, function, formulations.with(function.effort), passes);
   };
   const CostOfPrinted cost = [&](Function& function) {
-    if (has_lanes && !function.solved) pack(function);
+    if (has_lanes && !features.has_both && !function.solved) pack(function);
     return starts(function.in_lanes ? *function.in_lanes : function.program);
   };
   functions = choose_candidates(

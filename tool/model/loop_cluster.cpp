@@ -233,11 +233,11 @@ int LoopCluster::rank(std::vector<double> q) const {
 }
 
 std::vector<int> LoopCluster::following(std::vector<double> q, const std::vector<int>& candidates) const {
-  constexpr double kWellDetermined = 0.1, kDetermined = 1e-4;
+  constexpr double kFirst = 0.1, kDetermined = 1e-4;
   const Rows now = rows(q);
   Basis basis;
   std::set<int> chosen;
-  for (const double least : {kWellDetermined, kDetermined})
+  for (const double least : {kFirst, kDetermined})
     for (const int joint : candidates)
       if (!chosen.contains(joint) && basis.add(now.columns[column_of(joint)], least)) chosen.insert(joint);
   return {chosen.begin(), chosen.end()};

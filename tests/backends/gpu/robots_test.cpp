@@ -94,6 +94,16 @@ std::string differences_of_update(const Library& library, const StatesFunction& 
   return wrong.empty() ? "" : "update" + wrong + "\n";
 }
 
+// Threads share the states of functions that have lanes. Unique symbols would keep the library loaded for good.
+const std::string kWithLanes =
+    "-std=c++20 -pthread -fno-gnu-unique -DROBCOGEN_GPU_EMULATES_LANES -include " TEST_SOURCE_DIR "/emulated_lanes.h ";
+
+bool has_lanes(const Library& library) {
+  return std::any_of(library.functions.begin(), library.functions.end(), [](const backend::Function& f) {
+    return f.in_lanes.has_value();
+  });
+}
+
 std::string differences(
     const Library& library,
     const std::filesystem::path& folder,
@@ -103,7 +113,8 @@ std::string differences(
     if (file.path.extension() == ".cu" && file.path.stem() != "bench")
       all += "#include \"" + file.path.string() + "\"\n";
   write_text(folder / "all.cpp", all);
-  const std::string errors = run(folder, "g++ -std=c++17 " + kStrict + "-O0 -shared -fPIC all.cpp -o all.so");
+  const std::string options = has_lanes(library) ? kWithLanes : "-std=c++17 ";
+  const std::string errors = run(folder, "g++ " + options + kStrict + "-O0 -shared -fPIC all.cpp -o all.so");
   if (!errors.empty()) return errors;
   void* const loaded = dlopen((folder / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!loaded) return dlerror();
@@ -197,6 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"quadruped", {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}, {}, {1000, 300}},
 #endif
         Asked{"five_bar", {"forward_dynamics", "transforms"}},
+        // Threads share the limbs of a state.
+        Asked{"quadruped", {"forward_dynamics", "joint_space_inertia"}},
         // Many arrays: the poses of all frames.
         Asked{"quadruped", {"all_frames"}},
         Asked{"ball_leg", {"inverse_dynamics", "world"}}),

@@ -22,6 +22,7 @@ namespace robcogen::test {
 inline const std::filesystem::path kRobots = ROBCOGEN_ROBOTS_DIR;
 inline const backend::Features kGpuFeatures = {
     .caches_parameters = true,
+    .has_both = true,
     .column_loops = backend::ColumnLoops::if_faster};
 
 // Writes the text of the library.

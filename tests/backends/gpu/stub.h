@@ -47,6 +47,18 @@ __device__ __host__ float atan2f(float y, float x);
 __device__ __host__ double atan2(double y, double x);
 #undef ROBCOGEN_STUB
 
+// How threads of a warp exchange numbers.
+#if defined(__HIP__)
+__device__ inline float __shfl(float x, int lane, int size) {
+  const int to = (static_cast<int>(threadIdx.x) & ~(size - 1)) + (lane & (size - 1));
+  return __builtin_bit_cast(float, __builtin_amdgcn_ds_bpermute(4 * to, __builtin_bit_cast(int, x)));
+}
+#else
+__device__ inline float __shfl_sync(unsigned threads, float x, int lane, int size) {
+  return __nvvm_shfl_sync_idx_f32(threads, x, lane, ((32 - size) << 8) | 31);
+}
+#endif
+
 // What the library calls to start kernels by HIP.
 #if defined(__HIP__)
 struct dim3 {

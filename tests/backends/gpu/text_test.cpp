@@ -212,15 +212,18 @@ TEST(GpuBench, ChecksALibraryOnTheHost) {
   EXPECT_NE(run(scratch.path, "./bench --check gravity || echo refused").find("refused"), std::string::npos);
 }
 
-// A unit that makes the compiler print code for the kernels of the first function of each group, over tiles.
-std::string instances(const Library& library, const std::vector<std::string>& scalars) {
+// A unit that makes the compiler print code for the kernels of the first function of each group, over tiles; `in_lanes`:
+// for the kernel in which threads share a state.
+std::string instances(const Library& library, const std::vector<std::string>& scalars, bool in_lanes = false) {
   const backend::gpu::Names names = backend::gpu::names(library);
   std::string includes, text = "using namespace robcogen::gpu;\n";
   for (const std::string& group : library.groups) {
     includes += "#include \"" + names.folder + "/" + group + "_kernels.h\"\n";
     const std::vector<StatesFunction> functions = backend::gpu::states_functions(names, group);
     if (functions.empty()) continue;
-    for (const backend::gpu::StatesKernel& kernel : functions[0].kernels()) {
+    std::vector<backend::gpu::StatesKernel> kernels = functions[0].kernels();
+    if (in_lanes) kernels = {functions[0].kernel_in_lanes().value()};
+    for (const backend::gpu::StatesKernel& kernel : kernels) {
       for (const std::string& scalar : scalars) {
         text += "template __global__ void " + names.prefix + "_kernel_" + kernel.name + "<" + scalar + ">(int";
         for (const std::size_t k : kernel.arrays) {
@@ -277,6 +280,22 @@ TEST_F(GpuCompilers, ClangTakesItAsHip) {
   EXPECT_NE(read_text(scratch.path / "all.s").find(".amdhsa_kernel"), std::string::npos);
 }
 
+TEST(GpuLanes, ClangTakesThemAsCudaAndHip) {
+  if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
+  const Library robot = library("quadruped", {"joint_space_inertia"});
+  const Scratch scratch("gpu-lanes");
+  write_gpu(scratch.path, robot);
+  write_text(scratch.path / "all.cu", instances(robot, {"float"}, true));
+  for (const char* kind :
+       {"cuda --cuda-gpu-arch=sm_80 -nocudainc -nocudalib -Xclang -target-feature -Xclang +ptx70",
+        "hip --offload-arch=gfx90a -nogpuinc -nogpulib"}) {
+    const std::string options = " -std=c++17 -O1 -Wall -Wextra -Werror -Wno-unknown-cuda-version --cuda-device-only -x " +
+                                std::string(kind) + " -include " TEST_SOURCE_DIR "/stub.h";
+    EXPECT_EQ(run(scratch.path, CLANG + options + kIncludes + "-S all.cu -o all.s"), "") << kind;
+  }
+  EXPECT_NE(read_text(scratch.path / "all.s").find("ds_bpermute"), std::string::npos) << "threads exchange nothing";
+}
+
 // Also the calls by which the library starts kernels.
 TEST_F(GpuCompilers, ClangTakesTheUnitsAsHip) {
   if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
@@ -310,10 +329,11 @@ TEST(GpuCode, NeedsNoMoreRegistersThanBefore) {
     std::istringstream words(line);
     if (line.starts_with("#") || !(words >> robot >> group >> scalar >> architecture >> registers >> spilled)) continue;
     if (std::string when; words >> when && !ROBCOGEN_TEST_EVERYTHING) continue;
-    const Library library = test::library(robot, {group});
+    const bool in_lanes = group.starts_with(backend::gpu::kInLanes);
+    const Library library = test::library(robot, {in_lanes ? group.substr(backend::gpu::kInLanes.size()) : group});
     const Scratch scratch("gpu-nvcc");
     write_gpu(scratch.path, library);
-    write_text(scratch.path / "all.cu", instances(library, {scalar}));
+    write_text(scratch.path / "all.cu", instances(library, {scalar}, in_lanes));
     const std::string report =
         run(scratch.path,
             NVCC " -std=c++17 -O3 -arch=" + architecture + " -cubin -Xptxas -v" + kIncludes + "all.cu -o all.cubin");

@@ -44,7 +44,7 @@ void AngleLines::add_those_of_inputs() {
 void AngleLines::add_those_of_load(std::size_t load) {
   Arrangement& arranged = lines_.arranged();
   const symbolic::Block& block = arranged.blocks.loads[load];
-  if (block.width != 2) return;
+  if (block.width != 2 || lines_.dialect().angles_together == 0) return;
   std::vector<std::pair<std::size_t, const Angle*>> angles;
   for (std::size_t c = 0; c < block.columns.size(); ++c) {
     const auto angle = arranged.angles.find({Operand::Kind::statement, block.columns[c].index});

@@ -79,7 +79,9 @@ Spelling expression(Arrangement& arranged, std::size_t i) {
     result = call(arranged.dialect.square_root, spell_checked(arranged, s.a, s.width), arranged.texts);
   } else if (s.op == Op::arc_tangent || (s.op == Op::divide && !arranged.dialect.quotient.empty())) {
     const Dialect& d = arranged.dialect;
-    const Spelling first = spell_checked(arranged, s.a, s.width), second = spell_checked(arranged, s.b, s.width);
+    const Spelling first = spell(arranged, s.a, s.width), second = spell(arranged, s.b, s.width);
+    require_lanes(arranged, first, s.width);
+    require_lanes(arranged, second, s.width);
     result = call(s.op == Op::divide ? d.quotient : d.arc_tangent, first, second, arranged.texts);
   } else if (s.op == Op::sum_lanes) {
     result = sum_of_lanes(arranged, i);

@@ -95,10 +95,14 @@ std::string print_launch(const Names& names, const StatesFunction& f) {
     body += "  return stages.status();\n";
   } else {
     std::vector<std::string> passed = {"stream", "n", "arguments", instance(names, f, list[0], "Tiles")};
+    if (const std::optional<StatesKernel> kernel = f.kernel_in_lanes())
+      body = where_lanes_are(c::wrapped(
+          "  ROBCOGEN_GPU_TRY_LANES(" + std::to_string(kernel->lanes) + ", ",
+          {instance(names, f, *kernel, "Tiles"), instance(names, f, *kernel, "Strides")}, ");"));
     const std::string lower = instance(names, f, list[0], "Lower");
     if (lower != passed.back()) passed.push_back(lower);
     passed.push_back(instance(names, f, list[0], "Strides"));
-    body = c::wrapped("  return start(", passed, ");");
+    body += c::wrapped("  return start(", passed, ");");
   }
   std::string text = "template <class REAL>\n" +
                      c::wrapped("static robcogen_gpu_status start_" + f.name + "(", parameters, ") {") + body + "}\n";

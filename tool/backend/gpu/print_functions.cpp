@@ -18,6 +18,10 @@ std::string print_kernel(const Names& names, const StatesFunction& f, const Stat
     states += "    RC_STATE_" + kind + a.array.name + ", " + std::to_string(a.size) + ");\n";
   }
   std::string loops = "RC_FOR_STATES(rc_n)", called = names.prefix + "_" + f.name;
+  if (kernel.lanes > 1) {
+    loops = "RC_FOR_STATES_IN_LANES(rc_n, " + std::to_string(kernel.lanes) + ")";
+    called = names.prefix + "_" + kernel.name;
+  }
   if (kernel.stage) called = stage_name(names, f, kernel.number);
   if (const symbolic::Stage::Columns* columns = kernel.columns) {
     loops = "RC_FOR_RUNS(" + std::to_string(columns->runs) + ") " + loops;
@@ -61,7 +65,7 @@ std::string print_model(const Names& names) {
 
 std::string print_functions(const Names& names, const std::string& group) {
   const std::string includes = "#include <robcogen/gpu/dialect.h>\n\n#include \"" + names.folder + "/model.h\"\n";
-  return c::header(names, group + ".h", group + " for GPUs", includes + c::print_bodies(names, group, c::kMacros));
+  return c::header(names, group + ".h", group + " for GPUs", includes + c::print_bodies(names, group, c::kMacros) + print_in_lanes(names, group));
 }
 
 std::string print_kernels(const Names& names, const std::string& group) {
@@ -73,6 +77,8 @@ std::string print_kernels(const Names& names, const std::string& group) {
   for (const StatesFunction& f : states_functions(names, group)) {
     if (f.stages) text += print_stages(names, f);
     for (const StatesKernel& kernel : f.kernels()) text += "\n" + print_kernel(names, f, kernel);
+    if (const std::optional<StatesKernel> kernel = f.kernel_in_lanes())
+      text += "\n" + where_lanes_are(print_kernel(names, f, *kernel));
   }
   return c::header(names, group + "_kernels.h", group + " over many states", text);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct StatesKernel {
   const symbolic::Stage* stage = nullptr;
   std::size_t number = 0;                             // of the stage
   const symbolic::Stage::Columns* columns = nullptr;  // if the stage replaces columns: which, in this kernel
+  int lanes = 1;                                      // threads that share a state
 };
 
 // A function of the library as one over many states.
@@ -45,6 +47,8 @@ struct StatesFunction {
 
   // In the order in which they run.
   std::vector<StatesKernel> kernels() const;
+  // The kernel in which neighbouring threads share a state, for few states; nullopt: there is none.
+  std::optional<StatesKernel> kernel_in_lanes() const;
   // One of the arrays, or the workspace, through which numbers pass from kernel to kernel.
   StatesArray array(std::size_t k) const;
 };
@@ -67,6 +71,11 @@ std::string print_kernels(const Names& names, const std::string& group);
 // The functions that the kernels of a function in stages call.
 std::string print_stages(const Names& names, const StatesFunction& f);
 std::string stage_name(const Names& names, const StatesFunction& f, std::size_t number);
+// The functions of a group whose congruent limbs are computed by neighbouring threads.
+std::string print_in_lanes(const Names& names, const std::string& group);
+// Around text with lanes, which is C++ for GPUs.
+std::string where_lanes_are(const std::string& text);
+inline const std::string kInLanes = "in_lanes_";
 // The declarations of all functions over many states in C and C++, and the unit that defines those of a group.
 std::string print_batch(const Names& names, const std::vector<std::string>& groups);
 std::string print_launches(const Names& names, const std::string& group);

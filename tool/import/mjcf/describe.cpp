@@ -246,7 +246,7 @@ std::vector<std::array<std::string, 2>> excluded_pairs(const Document& document,
     for (std::size_t a = 0; a < document.bodies.size(); ++a) {
       if (!is_named(document.bodies[a], first.text)) continue;
       // A copy is excluded from the body of the same copy, or from the only one.
-      const auto is_second = [&](const Body& body) { return is_named(body, second.text); };
+      const auto is_second = [&second = second](const Body& body) { return is_named(body, second.text); };
       auto found = std::find_if(document.bodies.begin(), document.bodies.end(), [&](const Body& body) {
         return is_second(body) && body.written.suffix == document.bodies[a].written.suffix;
       });

@@ -42,6 +42,11 @@
 #endif
 
 #define RC_FOR_STATES(n) for (int rc_state = RC_FIRST_STATE; rc_state < (n); rc_state = RC_NEXT_STATE(rc_state, n))
+// For kernels in which neighbouring threads share a state. All threads of a warp take part, so those behind the last state
+// compute it once more.
+#define RC_FOR_STATES_IN_LANES(n, lanes)                                                                       \
+  for (int rc_state = RC_FIRST_STATE / (lanes) < (n) ? RC_FIRST_STATE / (lanes) : (n)-1; rc_state < (n); \
+       rc_state = RC_NEXT_STATE(rc_state, n))
 // For kernels that compute several groups of columns of each state, one in each thread.
 #define RC_FOR_RUNS(n) for (int rc_run = RC_FIRST_RUN; rc_run < (n); rc_run = RC_NEXT_RUN(rc_run, n))
 
@@ -57,6 +62,7 @@ typedef struct robcogen_gpu_strides {
 #if defined(__cplusplus)
 
 #include "robcogen/gpu/arrays.h"
+#include "robcogen/gpu/lanes.h"
 
 #define RC(number) (REAL(number))
 #define RC_NAN (REAL(__builtin_nanf("")))
@@ -66,9 +72,12 @@ typedef struct robcogen_gpu_strides {
   robcogen::gpu::sincos(REAL(x), s, c)
 #define RC_SIN(x) robcogen::gpu::sine(REAL(x))
 #define RC_COS(x) robcogen::gpu::cosine(REAL(x))
-#define RC_SQRT(x) robcogen::gpu::square_root(REAL(x))
+#define RC_SINCOS_IN_LANES(count, x, s, c)  \
+  robcogen::gpu::Lanes<REAL, count> s, c; \
+  robcogen::gpu::sincos(x, s, c)
+#define RC_SQRT(x) robcogen::gpu::square_root_of<REAL>(x)
 #define RC_ATAN2(y, x) robcogen::gpu::arc_tangent(REAL(y), REAL(x))
-#define RC_QUOTIENT(a, b) robcogen::gpu::quotient(REAL(a), REAL(b))
+#define RC_QUOTIENT(a, b) robcogen::gpu::quotient_of<REAL>(a, b)
 
 #define RC_FUNCTION(count)                \
   template <class REAL, RC_ARRAYS##count> \

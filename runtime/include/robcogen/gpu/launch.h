@@ -80,18 +80,19 @@ void take(const Argument& a, Strides<Number>& states) noexcept {
   }
 }
 
-// Where and how a kernel runs: `runs` is the number of its threads for one state.
+// Where and how a kernel runs: for each state `runs` threads in different blocks, or `lanes` neighbouring ones.
 struct Launch {
   void* stream;
   int n;
-  unsigned runs;
+  unsigned runs = 1;
+  unsigned lanes = 1;
 };
 
 template <class... States>
 robcogen_gpu_status run(void (*kernel)(int, States...), Launch launch, States... states) noexcept {
 #if defined(__CUDACC__) || defined(__HIP__)
   void* pointers[] = {&launch.n, &states...};
-  const dim3 blocks((static_cast<unsigned>(launch.n) + 127) / 128, launch.runs), threads(128);
+  const dim3 blocks((static_cast<unsigned>(launch.n) * launch.lanes + 127) / 128, launch.runs), threads(128);
   const void* const code = reinterpret_cast<const void*>(kernel);
 #endif
 #if defined(__CUDACC__)
@@ -104,6 +105,9 @@ robcogen_gpu_status run(void (*kernel)(int, States...), Launch launch, States...
   const hipError_t error = hipLaunchKernel(code, blocks, threads, pointers, 0, static_cast<hipStream_t>(launch.stream));
   if (error == hipErrorNoBinaryForGpu || error == hipErrorInvalidDeviceFunction) return robcogen_gpu_no_device_code;
   return error == hipSuccess ? robcogen_gpu_success : robcogen_gpu_launch_failed;
+#elif defined(ROBCOGEN_GPU_EMULATES_LANES)
+  emulate(launch.lanes, [&] { kernel(launch.n, states...); });
+  return robcogen_gpu_success;
 #else
   kernel(launch.n, states...);
   return robcogen_gpu_success;
@@ -167,8 +171,32 @@ robcogen_gpu_status start(
     Others... others) noexcept {
   const robcogen_gpu_status checked = check(n, arguments, alignof(decltype(*First::data)));
   if (checked != robcogen_gpu_success || n == 0) return checked;
-  return start(Launch{stream, static_cast<int>(n), 1}, arguments, kernel, others...);
+  return start(Launch{stream, static_cast<int>(n)}, arguments, kernel, others...);
 }
+
+// Fewer states than this are computed in lanes, where a function has lanes: they would not fill a GPU with a thread
+// each. By count of instructions and warps, not measured.
+#if !defined(ROBCOGEN_GPU_STATES_IN_LANES)
+#define ROBCOGEN_GPU_STATES_IN_LANES 8192
+#endif
+
+// Starts the first of the kernels in lanes that takes all arguments; not for many states or wrong arguments.
+template <unsigned kLanes, std::size_t kCount, class First, class... States, class... Others>
+bool is_started_in_lanes(
+    void* stream,
+    std::ptrdiff_t n,
+    const Argument (&arguments)[kCount],
+    robcogen_gpu_status& status,
+    void (*kernel)(int, First, States...),
+    Others... others) noexcept {
+  if (n <= 0 || n >= ROBCOGEN_GPU_STATES_IN_LANES) return false;
+  if (check(n, arguments, alignof(decltype(*First::data))) != robcogen_gpu_success) return false;
+  status = start(Launch{stream, static_cast<int>(n), 1, kLanes}, arguments, kernel, others...);
+  return status != robcogen_gpu_wrong_layout;
+}
+#define ROBCOGEN_GPU_TRY_LANES(lanes, ...)                                                 \
+  robcogen_gpu_status status;                                                              \
+  if (is_started_in_lanes<lanes>(stream, n, arguments, status, __VA_ARGS__)) return status
 
 // The kernels of a function, one after the other, until one does not start.
 template <class Number, std::size_t kCount>
@@ -181,7 +209,7 @@ class Stages {
       const Argument (&arguments)[kCount],
       const robcogen_gpu_workspace& workspace,
       int size) noexcept
-      : launch_{stream, static_cast<int>(n), 1}, status_(check(n, arguments, alignof(Number))) {
+      : launch_{stream, static_cast<int>(n)}, status_(check(n, arguments, alignof(Number))) {
     for (std::size_t k = 0; k < kCount; ++k) arguments_[k] = arguments[k];
     arguments_[kCount] = {{workspace.data, robcogen_gpu_by_tile, 0}, size, true};
     if (status_ != robcogen_gpu_success || n == 0) return;
@@ -203,7 +231,7 @@ class Stages {
   void run(unsigned runs, Tiled* over_tiles, Strided* with_strides) noexcept {
     if (status_ != robcogen_gpu_success || launch_.n == 0) return;
     const Argument taken[] = {arguments_[which]...};
-    status_ = start(Launch{launch_.stream, launch_.n, runs}, taken, over_tiles, with_strides);
+    status_ = start(Launch{launch_.stream, launch_.n, runs, 1}, taken, over_tiles, with_strides);
   }
 
   robcogen_gpu_status status() const noexcept { return status_; }
