@@ -24,7 +24,7 @@ using algorithm::Declaration;
 using algorithm::Declared;
 using model::FusedFunction;
 
-// In code for GPUs, `kernel_f` and `batch_f` are made for each function f.
+// In code for GPUs, `kernel_f`, `batch_f` and `in_lanes_f` are made for each function f.
 bool begins_like_kernel(const std::string& name) {
   return name.starts_with("kernel_") || name.starts_with("batch_") || name.starts_with("in_lanes_");
 }

@@ -1,6 +1,6 @@
 // Threads of the host in place of the neighbouring threads of a warp: included before the text for GPUs, with
-// ROBCOGEN_GPU_EMULATES_LANES. Each exchange of numbers waits for all of them, so a thread that leaves one out stops the
-// program instead of reading an old number.
+// ROBCOGEN_GPU_EMULATES_LANES. Each exchange of numbers waits for all of them, so a thread that leaves one out stops
+// the program instead of reading an old number.
 #pragma once
 
 #include <barrier>

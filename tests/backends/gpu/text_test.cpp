@@ -212,8 +212,8 @@ TEST(GpuBench, ChecksALibraryOnTheHost) {
   EXPECT_NE(run(scratch.path, "./bench --check gravity || echo refused").find("refused"), std::string::npos);
 }
 
-// A unit that makes the compiler print code for the kernels of the first function of each group, over tiles; `in_lanes`:
-// for the kernel in which threads share a state.
+// A unit that makes the compiler print code for the kernels of the first function of each group, over tiles;
+// `in_lanes`: for the kernel in which threads share a state.
 std::string instances(const Library& library, const std::vector<std::string>& scalars, bool in_lanes = false) {
   const backend::gpu::Names names = backend::gpu::names(library);
   std::string includes, text = "using namespace robcogen::gpu;\n";
@@ -289,8 +289,9 @@ TEST(GpuLanes, ClangTakesThemAsCudaAndHip) {
   for (const char* kind :
        {"cuda --cuda-gpu-arch=sm_80 -nocudainc -nocudalib -Xclang -target-feature -Xclang +ptx70",
         "hip --offload-arch=gfx90a -nogpuinc -nogpulib"}) {
-    const std::string options = " -std=c++17 -O1 -Wall -Wextra -Werror -Wno-unknown-cuda-version --cuda-device-only -x " +
-                                std::string(kind) + " -include " TEST_SOURCE_DIR "/stub.h";
+    const std::string options =
+        " -std=c++17 -O1 -Wall -Wextra -Werror -Wno-unknown-cuda-version --cuda-device-only -x " + std::string(kind) +
+        " -include " TEST_SOURCE_DIR "/stub.h";
     EXPECT_EQ(run(scratch.path, CLANG + options + kIncludes + "-S all.cu -o all.s"), "") << kind;
   }
   EXPECT_NE(read_text(scratch.path / "all.s").find("ds_bpermute"), std::string::npos) << "threads exchange nothing";

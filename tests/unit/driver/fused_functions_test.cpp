@@ -86,7 +86,7 @@ TEST(FusedFunctions, RefuseNamesThatAreTaken) {
       "bias_forces_gravity = joint_space_inertia + gravity_forces", "robot 'Rods' has 'bias_forces' already");
   for (const char* name :
        {"jacobians", "world", "double", "robot", "gravity", "joint_state", "kDof", "f32", "link", "kernel_energy",
-        "batch_energy"}) {
+        "batch_energy", "in_lanes_energy"}) {
     const std::string all = messages({std::string(name) + " = joint_space_inertia + gravity_forces"});
     EXPECT_NE(all.find("[name-taken]"), std::string::npos) << name << ": " << all;
     EXPECT_NE(all.find(kHint), std::string::npos) << name << ": " << all;

@@ -58,7 +58,60 @@ Dialect macros() {
   return d;
 }
 
+std::string type_with_lanes(int width) {
+  return "Lanes" + std::to_string(width);
+}
+
+// The array from this element on: the text of an element with another macro.
+std::string from(const std::string& element) {
+  return replaced(element, "RC_AT(", "RC_FROM(");
+}
+
+// A call as a line without indentation.
+std::string called(const std::string& function, const std::vector<std::string>& arguments) {
+  const std::string text = wrapped("  " + function + "(", arguments, ");");
+  return text.substr(2, text.size() - 3);
+}
+
+std::string line_with_lanes(const Line& line) {
+  const std::string width = std::to_string(line.width), count = std::to_string(line.count);
+  const std::string stride = std::to_string(line.stride);
+  const std::string& target = line.targets.empty() ? line.expression : line.targets.front();
+  switch (line.kind) {
+    case Line::Kind::sincos:
+      if (line.width == 1) break;
+      return called("RC_SINCOS_IN_LANES", {width, line.expression, target, line.targets[1]});
+    case Line::Kind::pick:
+      return "const auto [" + target + ", " + line.targets[1] + "] = " + line.expression + ";";
+    case Line::Kind::binding:
+    case Line::Kind::definition:
+      if (line.width == 1) break;
+      return "const " + type_with_lanes(line.width) + " " + target + " = " + line.expression + ";";
+    case Line::Kind::load_block:
+      return "const auto " + target + " = robcogen::gpu::load_lanes<REAL, " + width + ", " + count + ", " + stride +
+             ">(" + from(line.expression) + ");";
+    case Line::Kind::store_block: {
+      std::vector<std::string> arguments = line.values;
+      arguments.insert(arguments.begin(), from(target));
+      return called("robcogen::gpu::store_lanes<" + stride + ">", arguments);
+    }
+    case Line::Kind::fill:
+      return called("robcogen::gpu::fill<" + count + ">", {from(target), line.expression});
+    default:
+      break;
+  }
+  return macro_line(line);
+}
+
 }  // namespace
+
+Dialect dialect_with_lanes() {
+  Dialect d = macros();
+  d.used_names.insert(d.used_names.end(), {"Lanes2", "Lanes4", "Lanes8", "sum_lanes"});
+  d.type = type_with_lanes;
+  d.text = line_with_lanes;
+  return d;
+}
 
 bool is_kept(const std::string& array) {
   return array.starts_with("kept");

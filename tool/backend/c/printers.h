@@ -33,6 +33,9 @@ inline const std::vector<Precision> kPrecisions = {kDouble, kFloat};
 // Where functions read a cache, parameters are elements of its array; otherwise they are members of a structure.
 Dialect dialect(const Precision& precision, bool reads_cache);
 
+// The macros of GPUs for programs with lanes, in C++.
+Dialect dialect_with_lanes();
+
 // A literal of any value. In single precision it is the nearest one, infinite beyond the largest.
 std::string number(double value, const Precision& precision);
 
