@@ -97,8 +97,7 @@ std::string differences_of_update(const Library& library, const StatesFunction& 
 const std::string kPlain = "g++ -std=c++17 ";
 // Threads share the states of functions that have lanes. Unique symbols would keep the library loaded for good.
 const std::string kWithLanes =
-    "g++ -std=c++20 -pthread -fno-gnu-unique -DROBCOGEN_GPU_EMULATES_LANES -include " TEST_SOURCE_DIR
-    "/emulated_lanes.h ";
+    kPlain + "-fno-gnu-unique -DROBCOGEN_GPU_EMULATES_LANES -include " TEST_SOURCE_DIR "/emulated_lanes.h ";
 
 bool has_lanes(const Library& library) {
   return std::any_of(library.functions.begin(), library.functions.end(), [](const backend::Function& f) {

@@ -4,7 +4,7 @@
 // without lanes are the same in all of them. In a value with fewer lanes than there are threads, threads repeat lanes.
 //
 // Where the text is compiled for the host, lanes exist for tests only: ROBCOGEN_GPU_EMULATES_LANES promises functions
-// lane() and exchanged(), by which threads of the host exchange numbers as those of a warp do.
+// lane(), exchanged() and emulate(), by which lanes of the host exchange numbers as threads of a warp do.
 #pragma once
 
 #if defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__) || defined(ROBCOGEN_GPU_EMULATES_LANES)
