@@ -28,8 +28,8 @@ set(allowed
     "__stack_chk_fail|__stack_chk_guard|__stack_chk_fail_local"
     "___chkstk_ms"
     "_GLOBAL_OFFSET_TABLE_")
-# Symbols of the user's instrumentation. Its frames are not those of the plain library.
-set(instrumentation "__(asan|ubsan|msan|tsan|sanitizer|gcov|llvm_profile|llvm_gcov)_.*")
+# Symbols of the user's instrumentation, which also compares types of functions. Its frames are not those of the plain library.
+set(instrumentation "__(asan|ubsan|msan|tsan|sanitizer|sancov|start___sancov|stop___sancov|gcov|llvm_profile|llvm_gcov)_.*|_ZTVN10__cxxabiv1.*")
 
 # Sets `result` to the symbols of the library that `nm` lists with `options`.
 function(read_symbols result)
@@ -61,7 +61,7 @@ function(check_symbols)
   read_symbols(defined --defined-only)
   list(REMOVE_ITEM symbols ${defined})
   list(LENGTH symbols count)
-  list(FILTER symbols EXCLUDE REGEX "^${instrumentation}$")
+  list(FILTER symbols EXCLUDE REGEX "^(${instrumentation})$")
   list(LENGTH symbols of_library)
   if(of_library LESS count)
     set(is_instrumented ON PARENT_SCOPE)
