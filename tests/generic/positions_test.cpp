@@ -35,6 +35,15 @@ struct Assembled {
   static constexpr std::array<double, 3> kAssembledCoordinates = {0.3, 0.0, -0.5};
 };
 
+// The same with a spherical joint.
+struct AssembledWithBall {
+  using Scalar = double;
+  using JointState = Eigen::Vector4d;
+  using JointPositions = Eigen::Matrix<double, 6, 1>;
+  static constexpr std::array<int, 1> kQuaternions = {1};
+  static constexpr std::array<double, 1> kAssembledFollowers = {0.7};
+};
+
 Way random_way(std::mt19937_64& engine, double limit) {
   Way way;
   for (double& x : way) x = reference::uniform(engine, limit);
@@ -43,6 +52,14 @@ Way random_way(std::mt19937_64& engine, double limit) {
 
 Q random_positions(std::mt19937_64& engine) {
   return integrate_positions<R>(neutral_positions<R>(), random_way(engine, 1.5), 1.0);
+}
+
+TEST(Positions, OfCoordinatesMoveAndFollowersStay) {
+  using B = AssembledWithBall;
+  const JointPositions<B> next = move_coordinates<B>(neutral_positions<B>(), B::JointState(0.4, 0.0, 2.0, 0.0), 0.5);
+  JointPositions<B> expected;
+  expected << 0.2, std::cos(0.5), 0.0, std::sin(0.5), 0.0, 0.7;
+  EXPECT_LT((next - expected).norm(), 1e-15);
 }
 
 TEST(Positions, WaysLeadFromOneToTheOther) {

@@ -124,16 +124,15 @@ JointPositions<R> normalised_positions(JointPositions<R> q) noexcept {
 }
 
 // The positions after `duration` (s) with constant velocities qd. Spherical joints turn exactly, about a fixed axis;
-// quaternions keep unit length. For robots without followers.
+// quaternions keep unit length. Followers stay where they were, for close_loops, which must come next.
 template <class R>
-JointPositions<R> integrate_positions(
+JointPositions<R> move_coordinates(
     const JointPositions<R>& q,
     const typename R::JointState& qd,
     typename R::Scalar duration) noexcept {
   using Scalar = typename R::Scalar;
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
-  static_assert(kFollowerCount<R> == 0, "move the coordinates of q, then call close_loops: it moves the others");
-  JointPositions<R> result;
+  JointPositions<R> result = q;
   positions::visit<R>(
       [&](int k, int velocity) {
         const Vector3 half = qd.template segment<3>(velocity) * (duration / 2);
@@ -147,6 +146,16 @@ JointPositions<R> integrate_positions(
       },
       [&](int k, int velocity) { result[k] = q[k] + duration * qd[velocity]; });
   return result;
+}
+
+// The same for robots without followers, whose positions are then complete.
+template <class R>
+JointPositions<R> integrate_positions(
+    const JointPositions<R>& q,
+    const typename R::JointState& qd,
+    typename R::Scalar duration) noexcept {
+  static_assert(kFollowerCount<R> == 0, "call move_coordinates, then close_loops: it moves the others");
+  return move_coordinates<R>(q, qd, duration);
 }
 
 // The motion from one position to another, one element per velocity: integrate_positions(from, result, 1) = to. A
