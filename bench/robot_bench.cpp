@@ -1,4 +1,5 @@
-// The benchmark of one generated library: each function over 1,024 random states in turn. Compiled once per robot, with
+// The benchmark of one generated library: each function over 1,024 random states in turn, or over as many of a smooth
+// motion if ROBCOGEN_BENCH_STATES is `trajectory` in the environment. Compiled once per robot, with
 //     ROBCOGEN_ROBOT_HEADER, ROBCOGEN_REFLECTION_HEADER   the generated headers, as <…>
 //     ROBCOGEN_ROBOT_NAMESPACE                            the namespace of the generated code
 //     ROBCOGEN_BATCH_HEADER                               functions over many states, if the library has them
@@ -12,6 +13,9 @@
 #include ROBCOGEN_REFLECTION_HEADER
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 
 #include "clock.h"
 #include "functions.h"
@@ -21,8 +25,6 @@
 #endif
 
 #ifdef ROBCOGEN_BENCH_URDF
-#include <cstdio>
-
 #include "compared.h"
 #include "peer_benchmarks.h"
 #include "rivals/rival.h"
@@ -112,7 +114,15 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("joints", std::to_string(robot.dof()));
   benchmark::AddCustomContext("floating_base", robot.floating_base ? "yes" : "no");
   const R instance = bench::instance<R>(robot);
-  const std::vector<bench::State<R>> states = bench::random_states<R>(robot, instance);
+  const char* const asked = std::getenv("ROBCOGEN_BENCH_STATES");
+  const std::string kind = asked ? asked : "random";
+  if (kind != "random" && kind != "trajectory") {
+    std::fprintf(stderr, "ROBCOGEN_BENCH_STATES is '%s', not 'random' or 'trajectory'\n", asked);
+    return 2;
+  }
+  benchmark::AddCustomContext("kind of states", kind);
+  const std::vector<bench::State<R>> states =
+      kind == "trajectory" ? bench::states_of_trajectory<R>(robot, instance) : bench::random_states<R>(robot, instance);
   bench::add_functions<R>(robot, states);
 #ifdef ROBCOGEN_BATCH_HEADER
   bench::add_batches<R>(robot, states);
