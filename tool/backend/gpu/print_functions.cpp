@@ -65,7 +65,9 @@ std::string print_model(const Names& names) {
 
 std::string print_functions(const Names& names, const std::string& group) {
   const std::string includes = "#include <robcogen/gpu/dialect.h>\n\n#include \"" + names.folder + "/model.h\"\n";
-  return c::header(names, group + ".h", group + " for GPUs", includes + c::print_bodies(names, group, c::kMacros) + print_in_lanes(names, group));
+  return c::header(
+      names, group + ".h", group + " for GPUs",
+      includes + c::print_bodies(names, group, c::kMacros) + print_in_lanes(names, group));
 }
 
 std::string print_kernels(const Names& names, const std::string& group) {

@@ -42,9 +42,9 @@
 #endif
 
 #define RC_FOR_STATES(n) for (int rc_state = RC_FIRST_STATE; rc_state < (n); rc_state = RC_NEXT_STATE(rc_state, n))
-// For kernels in which neighbouring threads share a state. All threads of a warp take part, so those behind the last state
-// compute it once more.
-#define RC_FOR_STATES_IN_LANES(n, lanes)                                                                       \
+// For kernels in which neighbouring threads share a state. All threads of a warp take part, so those behind the last
+// state compute it once more.
+#define RC_FOR_STATES_IN_LANES(n, lanes)                                                                 \
   for (int rc_state = RC_FIRST_STATE / (lanes) < (n) ? RC_FIRST_STATE / (lanes) : (n)-1; rc_state < (n); \
        rc_state = RC_NEXT_STATE(rc_state, n))
 // For kernels that compute several groups of columns of each state, one in each thread.
@@ -72,8 +72,8 @@ typedef struct robcogen_gpu_strides {
   robcogen::gpu::sincos(REAL(x), s, c)
 #define RC_SIN(x) robcogen::gpu::sine(REAL(x))
 #define RC_COS(x) robcogen::gpu::cosine(REAL(x))
-#define RC_SINCOS_IN_LANES(count, x, s, c)  \
-  robcogen::gpu::Lanes<REAL, count> s, c; \
+#define RC_SINCOS_IN_LANES(count, x, s, c) \
+  robcogen::gpu::Lanes<REAL, count> s, c;  \
   robcogen::gpu::sincos(x, s, c)
 #define RC_SQRT(x) robcogen::gpu::square_root_of<REAL>(x)
 #define RC_ATAN2(y, x) robcogen::gpu::arc_tangent(REAL(y), REAL(x))

@@ -189,13 +189,13 @@ bool is_started_in_lanes(
     robcogen_gpu_status& status,
     void (*kernel)(int, First, States...),
     Others... others) noexcept {
-  if (n <= 0 || n >= ROBCOGEN_GPU_STATES_IN_LANES) return false;
+  if (n <= 0 || n >= ROBCOGEN_GPU_STATES_IN_LANES || n > kMaxElements / kLanes) return false;
   if (check(n, arguments, alignof(decltype(*First::data))) != robcogen_gpu_success) return false;
   status = start(Launch{stream, static_cast<int>(n), 1, kLanes}, arguments, kernel, others...);
   return status != robcogen_gpu_wrong_layout;
 }
-#define ROBCOGEN_GPU_TRY_LANES(lanes, ...)                                                 \
-  robcogen_gpu_status status;                                                              \
+#define ROBCOGEN_GPU_TRY_LANES(lanes, ...) \
+  robcogen_gpu_status status;              \
   if (is_started_in_lanes<lanes>(stream, n, arguments, status, __VA_ARGS__)) return status
 
 // The kernels of a function, one after the other, until one does not start.
