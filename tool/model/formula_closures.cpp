@@ -88,6 +88,8 @@ class FormulaSearch {
     const std::size_t wanted = closure.method == Closure::Method::planar ? 2 : 1;
     if (free.size() < wanted) {
       if (loops_.size() > 1) return false;
+      // A loop of joints about one axis removes none.
+      if (dependents_of(loop, joints_of(loop), wanted, std::nullopt, closure).empty()) return false;
       report_over_constrained(loop, wanted, free);
       return true;
     }

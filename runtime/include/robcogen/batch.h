@@ -35,7 +35,10 @@ struct Strided {
   std::ptrdiff_t state;
 
   // The same states without their first k elements.
-  constexpr Strided from(std::ptrdiff_t k) const noexcept { return {data + k * element, element, state}; }
+  // Kernels for newer processors call it: a function of its own would be shared with code for all.
+  [[gnu::always_inline]] constexpr Strided from(std::ptrdiff_t k) const noexcept {
+    return {data + k * element, element, state};
+  }
 };
 
 // Value type of an array of plain numbers for which the caller names no type.

@@ -139,11 +139,16 @@ class Lanes<Scalar, kSize, true> {
     }
   }
 
-  // Load from and store to kSize contiguous numbers, of this or another precision.
+  // Load from and store to kSize contiguous numbers, of this or another precision. Those that have no vectors are
+  // converted one by one: clang packs vectors of long double more tightly than arrays.
   template <class Number>
   static ROBCOGEN_INLINE Lanes load(const Number* from) noexcept {
     if constexpr (kSize == 1) {
       return of_vector(static_cast<Scalar>(*from));
+    } else if constexpr (lanes::kInRegister<Number> == 1) {
+      Lanes result;
+      for (int i = 0; i < kSize; ++i) result.vector_[i] = static_cast<Scalar>(from[i]);
+      return result;
     } else {
       lanes::Vector<Number, kSize> numbers;
       std::memcpy(&numbers, from, sizeof(numbers));
@@ -156,6 +161,8 @@ class Lanes<Scalar, kSize, true> {
   ROBCOGEN_INLINE void store(Number* to) const noexcept {
     if constexpr (kSize == 1) {
       *to = static_cast<Number>(vector_);
+    } else if constexpr (lanes::kInRegister<Number> == 1) {
+      for (int i = 0; i < kSize; ++i) to[i] = static_cast<Number>(vector_[i]);
     } else {
       lanes::Vector<Number, kSize> numbers;
       lanes::convert(vector_, numbers);
