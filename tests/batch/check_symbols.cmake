@@ -1,7 +1,7 @@
 # Checks the symbols that the object files of batches share with others. Variables: OBJECTS (file,file…), NM.
 string(REPLACE "," ";" objects "${OBJECTS}")
 # Symbols that compilers add: they have no vectors, and are the same on all processors.
-set(shared "__clang_call_terminate|DW[.]ref[.]|__asan_|__odr_asan|__llvm_|__gcov_")
+set(shared "__clang_call_terminate|DW[.]ref[.]| typeinfo (name )?for |__asan_|__odr_asan|__llvm_|__gcov_")
 set(count 0)
 foreach(level avx2,1 avx512,2)
   string(REGEX MATCH "^[a-z0-9]+" name ${level})
