@@ -102,11 +102,11 @@ bool Parallelogram::determines(const std::vector<int>& joints) const {
 }
 
 bool Parallelogram::holds(const std::vector<double>& q) const {
-  constexpr double kWholeTurns = 1e-6;  // rad
+  constexpr double kSameAngle = 1e-6;  // rad
   for (const std::size_t sum : {std::size_t{0}, std::size_t{1}}) {
     double total = 0.0;
     for (const auto& [joint, counts] : sums_) total += counts[sum] * q[at(joint)];
-    if (!(std::abs(std::remainder(total, 2.0 * std::acos(-1.0))) < kWholeTurns)) return false;
+    if (!(std::abs(std::remainder(total, 2.0 * std::acos(-1.0))) < kSameAngle)) return false;
   }
   return true;
 }

@@ -6,8 +6,8 @@
 namespace robcogen::import::from_mjcf {
 
 // Reads the geoms of the robot, which are then not counted as ignored. MuJoCo shows those of the groups 0 to 2, and
-// checks those that have bits of `contype` or `conaffinity`. Planes and height fields are left
-// out; one that would be checked causes a warning.
+// checks those that have bits of `contype` or `conaffinity`. Planes and height fields are left out; one
+// that would be checked causes a warning.
 void read_shapes(Document& document, const ShapeOptions& options, const Context& context);
 
 // Reads which pairs of bodies are not checked, from the elements `exclude` of the section `contact`. Warns about bodies

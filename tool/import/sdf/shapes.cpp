@@ -16,7 +16,7 @@ class ShapeReader {
   ShapeReader(const std::string& link, ShapeMeshes& meshes, Diagnostics& found)
       : link_(link), meshes_(meshes), found_(found), snapper_(false, found), reader_(snapper_, found) {}
 
-  // Whether the geometry is empty, so that there is nothing to read.
+  // Whether the document says that there is no geometry.
   bool is_empty(const Element& element) const {
     const Element* geometry = child_of(element, "geometry");
     return geometry != nullptr && child_of(*geometry, "empty") != nullptr;
