@@ -78,6 +78,10 @@ Number exchanged(Number x, int other) {
   return static_cast<Number>(Emulation::running->exchanged(static_cast<double>(x), from));
 }
 
+inline void wait_for_lanes() {
+  Emulation::running->exchanged(0, lane());
+}
+
 // Calls the function once in each lane.
 inline void emulate(unsigned lanes, std::function<void()> call) {
   Emulation(lanes, std::move(call)).run();

@@ -57,6 +57,9 @@ __device__ inline float __shfl(float x, int lane, int size) {
 __device__ inline float __shfl_sync(unsigned threads, float x, int lane, int size) {
   return __nvvm_shfl_sync_idx_f32(threads, x, lane, ((32 - size) << 8) | 31);
 }
+__device__ inline void __syncwarp() {
+  __nvvm_bar_warp_sync(0xffffffffU);
+}
 #endif
 
 // What the library calls to start kernels by HIP.

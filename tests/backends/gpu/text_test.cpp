@@ -280,6 +280,29 @@ TEST_F(GpuCompilers, ClangTakesItAsHip) {
   EXPECT_NE(read_text(scratch.path / "all.s").find(".amdhsa_kernel"), std::string::npos);
 }
 
+// All lanes fill elements, of which each then writes its own ones.
+TEST(GpuLanes, WriteAfterAllHaveFilled) {
+  const Scratch scratch("gpu-fill");
+  write_text(scratch.path / "main.cpp", R"(
+#include "robcogen/gpu/dialect.h"
+#include <cstdio>
+int main() {
+  double numbers[8];
+  robcogen::gpu::emulate(4, [&] {
+    robcogen::gpu::fill<8>(&numbers[0], 0.0);
+    robcogen::gpu::store_lanes<2>(&numbers[0], robcogen::gpu::Lanes<double, 4>::of(1.0, 2.0, 3.0, 4.0));
+  });
+  for (const double x : numbers) std::printf("%g ", x);
+}
+)");
+  EXPECT_EQ(
+      run(scratch.path,
+          "g++ -std=c++17 -O0 -Wall -Wextra -Werror -DROBCOGEN_GPU_EMULATES_LANES -include " TEST_SOURCE_DIR
+          "/emulated_lanes.h" +
+              kIncludes + "main.cpp -o main && ./main"),
+      "1 0 2 0 3 0 4 0 ");
+}
+
 TEST(GpuLanes, ClangTakesThemAsCudaAndHip) {
   if (std::string(CLANG).empty()) GTEST_SKIP() << "clang was not found";
   const Library robot = library("quadruped", {"joint_space_inertia"});

@@ -4,7 +4,8 @@
 // without lanes are the same in all of them. In a value with fewer lanes than there are threads, threads repeat lanes.
 //
 // Where the text is compiled for the host, lanes exist for tests only: ROBCOGEN_GPU_EMULATES_LANES promises functions
-// lane(), exchanged() and emulate(), by which lanes of the host exchange numbers as threads of a warp do.
+// lane(), exchanged(), wait_for_lanes() and emulate(), by which lanes of the host work together as threads of a warp
+// do.
 #pragma once
 
 #if defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__) || defined(ROBCOGEN_GPU_EMULATES_LANES)
@@ -45,6 +46,16 @@ RC_DEVICE Number exchanged(Number x, int other) {
 #else
   (void)other;
   return x;
+#endif
+}
+
+// Returns when all lanes have called it, and sees what they have written.
+RC_DEVICE void wait_for_lanes() {
+#if defined(__CUDA_ARCH__)
+  __syncwarp();
+#elif defined(__HIP_DEVICE_COMPILE__)
+  __builtin_amdgcn_fence(__ATOMIC_ACQ_REL, "wavefront");
+  __builtin_amdgcn_wave_barrier();
 #endif
 }
 #endif
@@ -139,9 +150,11 @@ RC_DEVICE void store_lanes(Array to, Lanes<REAL, kSize> first, More... more) {
   const int begin = Lanes<REAL, kSize>::this_lane() * kStride;
   for (int k = 0; k < static_cast<int>(sizeof...(More)) + 1; ++k) to[begin + k] = all[k].own();
 }
+// Some of these elements are written once more, perhaps by another lane.
 template <int kCount, class Array, class Number>
 RC_DEVICE void fill(Array to, Number x) {
   for (int k = 0; k < kCount; ++k) to[k] = x;
+  wait_for_lanes();
 }
 #endif
 
