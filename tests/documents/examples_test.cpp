@@ -56,6 +56,7 @@ void expect_to_compile(const fs::path& folder, const std::string& text, const st
   EXPECT_EQ(status, 0) << output;
 }
 
+#if ROBCOGEN_TEST_EVERYTHING
 TEST(Examples, OfTheGeneratedCodeCompile) {
   const fs::path folder = scratch("examples");
   fs::remove_all(folder);
@@ -89,6 +90,7 @@ TEST(Examples, OfTheGeneratedCodeCompile) {
   EXPECT_NE(text.find("section_9"), std::string::npos) << "too few sections have examples";
   if (!testing::Test::HasFailure()) fs::remove_all(folder);
 }
+#endif
 
 TEST(Examples, OfDerivativesCompile) {
   const fs::path folder = scratch("derivatives_examples");

@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 
-from common import arm, leg, scopes, walker
+from common import arm, five_bar, leg, scopes, walker
 
 
 # A trunk and a leg.
@@ -45,6 +45,7 @@ class Documents(unittest.TestCase):
             self.assertEqual(names, {name.rsplit(".")[-1] for name, _ in scopes(module)})
             compile(text, stub, "exec")
 
+    @unittest.skipUnless(five_bar, "only where everything is tested")
     def test_stubs_satisfy_mypy(self):
         program = "\n".join([
             "import numpy as np", "import leg", "p = leg.Parameters(upperleg_length=0.4)",

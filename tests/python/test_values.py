@@ -2,10 +2,9 @@
 import re
 import unittest
 
-import hexapod
 import numpy as np
 
-from common import RANDOM, arm, ball_leg, evaluate, five_bar, leg, random_values, scopes, walker
+from common import MODELS, RANDOM, arm, ball_leg, evaluate, five_bar, leg, random_values, scopes, walker
 
 
 # They are Python's own.
@@ -64,7 +63,7 @@ class Values(unittest.TestCase):
 
     def test_all_functions(self):
         count = 0
-        for module in (arm, leg, walker, ball_leg, five_bar):
+        for module in MODELS:
             for name, function in scopes(module):
                 if name.startswith("inertia_factor") or name in OF_POSES:
                     continue
@@ -74,6 +73,7 @@ class Values(unittest.TestCase):
                 count += 1
         self.assertGreater(count, 50)
 
+    @unittest.skipUnless(five_bar, "only where everything is tested")
     def test_loops(self):
         """The elbows follow: forward against inverse dynamics, many states against one, and the rate of the energy."""
         q, qd, tau = 0.3 * RANDOM.uniform(-1, 1, (3, 7, five_bar.dof))
@@ -154,6 +154,10 @@ class Values(unittest.TestCase):
 
     def test_the_limbs(self):
         self.assertEqual(leg.limbs, {})
+
+    @unittest.skipUnless(five_bar, "only where everything is tested")
+    def test_six_limbs(self):
+        import hexapod
         self.assertEqual(len(hexapod.limbs), 6)
         joints = []
         for name, limb in hexapod.limbs.items():

@@ -216,9 +216,9 @@ INSTANTIATE_TEST_SUITE_P(
             {"inverse_dynamics", "joint_space_inertia"},
             {"inverse_dynamics:q,parameters"},
             {100, 60}},
+#if ROBCOGEN_TEST_EVERYTHING
         // In stages, of which the last ones solve for columns.
         Asked{"geared_leg", {"forward_dynamics_derivatives"}, {}, {1000, 400}},
-#if ROBCOGEN_TEST_EVERYTHING
         Asked{"iiwa14", algorithm::groups()},
         Asked{"centaur", algorithm::groups()},
         Asked{"humanoid"},
@@ -229,13 +229,13 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"delta"},
         Asked{"quadruped", {"contacts", "operational_space"}, {}, {}, {"fr_LF_foot", "fr_RH_foot"}},
         Asked{"quadruped", {"inverse_dynamics_derivatives", "forward_dynamics_derivatives"}, {}, {1000, 300}},
-#endif
         Asked{"five_bar", {"forward_dynamics", "transforms"}},
-        // Threads share the limbs of a state.
-        Asked{"quadruped", {"forward_dynamics", "joint_space_inertia"}},
+        Asked{"ball_leg", {"inverse_dynamics", "world"}},
         // Many arrays: the poses of all frames.
         Asked{"quadruped", {"all_frames"}},
-        Asked{"ball_leg", {"inverse_dynamics", "world"}}),
+#endif
+        // Threads share the limbs of a state.
+        Asked{"quadruped", {"forward_dynamics", "joint_space_inertia"}}),
     [](const auto& asked) { return asked.param.robot + "_" + std::to_string(asked.index); });
 
 TEST(Gpu, WrongArgumentsAreRefusedAndLowerTrianglesWritten) {

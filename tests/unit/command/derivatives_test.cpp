@@ -358,6 +358,7 @@ TEST(Derivatives, ByWhichContactsHold) {
       << run.errors;
 }
 
+#if ROBCOGEN_TEST_EVERYTHING
 // The message names the group that has such derivatives.
 TEST(Derivatives, TooLongWithContacts) {
   const std::filesystem::path model = ROBCOGEN_ROBOTS_DIR "/humanoid/humanoid.kindsl";
@@ -375,6 +376,7 @@ TEST(Derivatives, TooLongWithContacts) {
       std::string::npos)
       << run.errors;
 }
+#endif
 
 // Second derivatives of a humanoid's inverse dynamics are too long for a compiler.
 TEST(Derivatives, TooLong) {

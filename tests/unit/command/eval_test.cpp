@@ -292,7 +292,7 @@ TEST(EvalOfEveryFunction, ThatOpsLists) {
   const std::filesystem::path euler = std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl";
   std::vector<std::filesystem::path> models = {robot("hyl"), euler};
   if (ROBCOGEN_TEST_EVERYTHING) models.push_back(robot("hyl_parametric"));
-  const std::size_t stride = ROBCOGEN_TEST_EVERYTHING ? 1 : 5;  // two processes each
+  const std::size_t stride = ROBCOGEN_TEST_EVERYTHING ? 1 : 15;  // two processes each
   for (const std::filesystem::path& model : models) {
     const Outcome ops = run_tool("ops --json --effort 0 " + quoted(model));
     ASSERT_EQ(ops.status, 0) << ops.errors;

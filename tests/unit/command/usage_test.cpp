@@ -205,7 +205,7 @@ TEST(Usage, NothingThatCanBeTypedIsAnInternalFault) {
   std::mt19937 random(1);
   const auto pick = [&](const std::vector<std::string>& list) { return list[random() % list.size()]; };
   const std::string script = quoted(scratch.path / "script");
-  for (int i = 0; i < (ROBCOGEN_TEST_EVERYTHING ? 250 : 80); ++i) {
+  for (int i = 0; i < (ROBCOGEN_TEST_EVERYTHING ? 250 : 30); ++i) {
     std::string line = "'" ROBCOGEN_TOOL "' " + pick(subcommands);
     for (auto left = 1 + random() % 5; left > 0; --left) line += " " + pick(words);
     write_text(scratch.path / "script", line + " <<< '{\"q\": [0, 0, 0]}'\n");
