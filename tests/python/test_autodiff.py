@@ -11,7 +11,6 @@ import numpy as np
 import arm
 import ball_leg
 import crane
-import five_bar
 import leg
 import walker
 
@@ -206,14 +205,6 @@ class Derivatives:
     def test_arguments_that_all_states_share(self):
         self.check(leg, "inverse_dynamics", ["parameters", "q"], self.LEG, (5,), ["parameters", "qd"])
 
-    def test_positions_that_follow(self):
-        """Elbows follow the cranks through the loop, so their elements of the gradient are zero."""
-        found, _ = self.find(five_bar, "gravity_forces")
-        q, w = RANDOM.uniform(-0.3, 0.3, len(five_bar.position_names)), RANDOM.uniform(-1, 1, five_bar.dof)
-        _, (gradient,) = self.vjp(found, [q], [w])
-        d_q = five_bar.gravity_forces_gradient_q(q, w).d_q
-        np.testing.assert_allclose(numpy_of(gradient), np.append(d_q, np.zeros(len(q) - len(d_q))), rtol=1e-12)
-
     def test_forward_mode(self):
         """By matrices of derivatives, and by tangents."""
         q, qd, qdd, v = RANDOM.uniform(-1, 1, (4, 3, 7))
@@ -278,6 +269,36 @@ class Derivatives:
         self.assertIn(f"ImportError: there is no module robcogen.{self.name}: it is part of the Python package of robcogen", run.stderr)
 
 
+class ProductsTest(unittest.TestCase):
+    """What neither library is needed for."""
+
+    def setUp(self):
+        from robcogen import _differentiable
+        self.module = _differentiable
+
+    def test_arguments_that_do_not_change(self):
+        (f,) = (f for f in self.module.functions(arm) if f.name == "inverse_dynamics")
+        q, qd, qdd, v = RANDOM.uniform(-1, 1, (4, 5, 7))
+        (rate,) = self.module.tangents(f, [q, qd, qdd], {"qdd": v}, lambda g: g.compute, np.concatenate)
+        np.testing.assert_allclose(rate, (arm.joint_space_inertia(q) @ v[..., None])[..., 0], atol=1e-11)
+
+    def test_positions_that_follow(self):
+        """They have no elements in the derivatives of the library."""
+        q = self.module.Array("q", (5,), (), False, False)
+        gradient, rate = RANDOM.uniform(-1, 1, (4, 3)), RANDOM.uniform(-1, 1, (4, 5))
+        full = self.module._unreduced(q, gradient, np.zeros((4, 5)), np.concatenate)
+        np.testing.assert_array_equal(full, np.concatenate([gradient, np.zeros((4, 2))], 1))
+        np.testing.assert_array_equal(self.module._reduced(q, rate, np.zeros((4, 5)), 3, np.concatenate), rate[:, :3])
+
+    def test_matrices_among_the_arguments(self):
+        """By rows, as external wrenches, or by columns."""
+        numbers, matrix = np.arange(6.0), np.arange(6.0).reshape(2, 3)
+        for is_by_rows, expected in (True, matrix), (False, numbers.reshape(3, 2).T):
+            a = self.module.Array("x", (2, 3), (), is_by_rows, False)
+            np.testing.assert_array_equal(self.module._unreduced(a, numbers, matrix, np.concatenate), expected)
+            np.testing.assert_array_equal(self.module._reduced(a, expected, matrix, 6, np.concatenate), numbers)
+
+
 class TorchTest(InTorch, Derivatives, unittest.TestCase):
     def test_other_devices(self):
         q = self.array(np.zeros(7))
@@ -288,6 +309,20 @@ class TorchTest(InTorch, Derivatives, unittest.TestCase):
             q.is_cpu, q.device = False, types.SimpleNamespace(type="cuda", __str__=lambda: "cuda:0")
         with self.assertRaisesRegex(TypeError, r"q is on .*, and these functions run on the CPU: pass q.cpu\(\)"):
             arm.torch.joint_space_inertia(q)
+
+    def test_rule_for_vmap(self):
+        """Of PyTorch 2: arguments have a dimension of the map in any place, or none."""
+        q, qd, qdd = RANDOM.uniform(-1, 1, (4, 6, 7)), RANDOM.uniform(-1, 1, (6, 7)), RANDOM.uniform(-1, 1, (6, 4, 7))
+        expected = arm.inverse_dynamics(*(np.reshape(np.broadcast_to(x, (4, 6, 7)), (24, 7)) for x in (q, qd, qdd.swapaxes(0, 1))))
+        if not INSTALLED:
+            _, ((operator, _), _, _) = tape.record(arm.torch.inverse_dynamics, list(map(self.array, (q[0], qd, qd))))
+            (tau,), (place,) = operator.vmap(None, (0, None, 1), *map(self.array, (q, qd, qdd)))
+            self.assertEqual(place, 0)
+        elif not hasattr(self.library, "func"):
+            self.skipTest("this PyTorch has no torch.func")
+        else:
+            tau = self.library.func.vmap(arm.torch.inverse_dynamics, in_dims=(0, None, 1))(*map(self.array, (q, qd, qdd)))
+        np.testing.assert_allclose(numpy_of(tau).reshape(24, 7), expected, atol=1e-11)
 
     def test_no_copies(self):
         """The function computes on the memory of its arguments."""

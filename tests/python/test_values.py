@@ -35,7 +35,6 @@ DERIVED = {
     "forward_dynamics_gradient_q": ("--gradients", "forward_dynamics:q"),
     "forward_dynamics_gradient_gravity": ("--gradients", "forward_dynamics:gravity"),
     "kinetic_energy_gradient_q_qd": ("--gradients", "kinetic_energy:q,qd"),
-    "gravity_forces_gradient_q": ("--gradients", "gravity_forces:q"),
     "potential_energy_tangent_q": ("--tangents", "potential_energy:q"),
 }
 

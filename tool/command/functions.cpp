@@ -7,9 +7,9 @@
 
 #include "driver/declare.h"
 #include "driver/derivatives.h"
-#include "driver/formulations.h"
 #include "driver/driver.h"
 #include "driver/find_function.h"
+#include "driver/formulations.h"
 #include "pass/passes.h"
 
 namespace robcogen::command {

@@ -71,8 +71,6 @@ class Function:
         a = self.arguments[k]
         if k >= self.required and a.name == "gravity":
             return np.array([0.0, 0.0, -9.81])
-        if k >= self.required and a.name == "external":
-            return np.zeros(a.shape)
         raise TypeError(f"{self.name}: {a.name} is missing")
 
     def derivatives_by(self, needed: list[str], forms: tuple[str, ...], missing: str) -> list[Derivative]:

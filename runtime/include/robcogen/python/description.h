@@ -1,5 +1,5 @@
-// What robcogen.jax and robcogen.torch read of a module. It is made when they are used, as `module.jax` and `module.torch`:
-// nothing of it takes time when a module is imported.
+// What robcogen.jax and robcogen.torch read of a module. It is made when they are used, as `module.jax` and
+// `module.torch`: nothing of it takes time when a module is imported.
 #pragma once
 
 #include "robcogen/python/xla.h"
@@ -19,8 +19,9 @@ inline PyObject* description(const Module& module, const Argument& a) {
   PyObject* const quaternions = PyTuple_New(static_cast<Py_ssize_t>(a.quaternions.size()));
   for (std::size_t i = 0; quaternions && i < a.quaternions.size(); ++i)
     PyTuple_SetItem(quaternions, static_cast<Py_ssize_t>(i), PyLong_FromLong(a.quaternions[i]));
-  PyObject* const shape = a.is_parameters ? Py_BuildValue("(n)", static_cast<Py_ssize_t>(module.parameters.names.size()))
-                                          : lengths(a, false, 1);
+  PyObject* const shape = a.is_parameters
+                              ? Py_BuildValue("(n)", static_cast<Py_ssize_t>(module.parameters.names.size()))
+                              : lengths(a, false, 1);
   return Py_BuildValue(
       "(sNNNN)", a.name, shape, quaternions, PyBool_FromLong(a.is_by_rows ? 1 : 0),
       PyBool_FromLong(a.is_parameters ? 1 : 0));
@@ -77,7 +78,8 @@ inline PyObject* functions_for(PyObject* module, const char* library) {
     Py_DecRef(trace);
     PyErr_Format(
         PyExc_ImportError,
-        "there is no module %s: it is part of the Python package of robcogen, in share/robcogen/python of an installation or "
+        "there is no module %s: it is part of the Python package of robcogen, in share/robcogen/python of an "
+        "installation or "
         "runtime/python of the sources, which must be in PYTHONPATH or installed with pip",
         layer.c_str());
     return nullptr;

@@ -87,9 +87,11 @@ inline std::string wrong_quaternion(const Argument& a, const View& view) {
       const std::string where = view.is_batch() ? " in state " + std::to_string(state) : "";
       const bool is_pose = std::strcmp(a.name, "base_pose") == 0;
       const char* const order = std::strcmp(a.name, "orientation") == 0 ? "x, y, z, w" : "w, x, y, z";
-      return of + " must be a unit quaternion " + order + (is_pose ? ", followed by the position" : "") + ": its norm" +
-             where + " is " + text +
-             (is_pose ? "; base_pose_from_mujoco and base_pose_from_ros take other orders" : "");
+      std::string message = of + " must be a unit quaternion " + order;
+      if (is_pose) message += ", followed by the position";
+      message.append(": its norm").append(where).append(" is ").append(text);
+      if (is_pose) message += "; base_pose_from_mujoco and base_pose_from_ros take other orders";
+      return message;
     }
   }
   return "";

@@ -1,7 +1,8 @@
 // Functions of a module as a handler of XLA, which JAX calls without Python (robcogen/jax.py registers it).
 //
 // The structures are those of version 0.1 of XLA's typed foreign function interface. They are declared here, so that a
-// module needs no header of XLA, and one file serves every JAX that supports this version: later versions append members.
+// module needs no header of XLA, and one file serves every JAX that supports this version: later versions append
+// members.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,9 @@
 namespace robcogen::python::xla {
 
 inline constexpr int kMajorVersion = 0, kMinorVersion = 1;
-inline constexpr int kMetadata = 1, kScalar = 3;                 // types of extensions and attributes
-inline constexpr int kInteger = 5, kFloat = 11, kDouble = 12;    // types of numbers
-inline constexpr int kInvalidArgument = 3, kOutOfMemory = 8;     // codes of errors
+inline constexpr int kMetadata = 1, kScalar = 3;               // types of extensions and attributes
+inline constexpr int kInteger = 5, kFloat = 11, kDouble = 12;  // types of numbers
+inline constexpr int kInvalidArgument = 3, kOutOfMemory = 8;   // codes of errors
 
 struct Extension {
   std::size_t bytes;
@@ -86,8 +87,8 @@ struct Frame {
   Attributes attributes;
 };
 
-// One call: arrays with the same number of leading dimensions, in each of which an argument has the length of the results,
-// or 1 if it is the same for all.
+// One call: arrays with the same number of leading dimensions, in each of which an argument has the length of the
+// results, or 1 if it is the same for all.
 class Call {
  public:
   Call(const State& module, const Frame& frame) : frame_(frame) { entry_.module = &module; }
@@ -124,7 +125,8 @@ class Call {
 
   std::string find_function() {
     const Attributes& attributes = frame_.attributes;
-    const bool has_index = attributes.count == 1 && attributes.types[0] == kScalar && attributes.items[0]->type == kInteger;
+    const bool has_index =
+        attributes.count == 1 && attributes.types[0] == kScalar && attributes.items[0]->type == kInteger;
     const List<Function>& functions = entry_.module->tables->functions;
     const std::int64_t index = has_index ? *static_cast<const std::int64_t*>(attributes.items[0]->value) : -1;
     if (index < 0 || index >= static_cast<std::int64_t>(functions.size()))
@@ -151,7 +153,8 @@ class Call {
     type_ = frame_.results.items[0]->type;
     if (type_ != kDouble && type_ != kFloat) return named("arrays must be float64 or float32");
     for (std::int64_t k = 0; k < frame_.results.count; ++k)
-      if (std::string error = read(entry_.function->results[static_cast<std::size_t>(k)], *frame_.results.items[k], outputs_);
+      if (std::string error =
+              read(entry_.function->results[static_cast<std::size_t>(k)], *frame_.results.items[k], outputs_);
           !error.empty())
         return error;
     leading_ = outputs_[0].leading;
@@ -168,7 +171,8 @@ class Call {
     const std::vector<std::ptrdiff_t> shape = shape_of(argument);
     const std::int64_t lead = buffer.rank - static_cast<std::int64_t>(shape.size());
     bool fits = lead >= 0 && buffer.type == type_ && std::equal(shape.begin(), shape.end(), buffer.lengths + lead);
-    Array array{&argument, &buffer, std::accumulate(shape.begin(), shape.end(), std::ptrdiff_t{1}, std::multiplies<>())};
+    Array array{
+        &argument, &buffer, std::accumulate(shape.begin(), shape.end(), std::ptrdiff_t{1}, std::multiplies<>())};
     if (fits) array.leading.assign(buffer.lengths, buffer.lengths + lead);
     const bool is_output = &list == &outputs_;
     const std::vector<std::int64_t> wanted = outputs_.empty() ? array.leading : outputs_[0].leading;

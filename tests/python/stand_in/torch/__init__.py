@@ -23,6 +23,9 @@ class Tensor(np.ndarray):
     def to(self, dtype):
         return self if dtype == self.dtype else self.astype(dtype)
 
+    def movedim(self, source, destination):
+        return np.moveaxis(self, source, destination)
+
     def new_empty(self, shape):
         return np.empty(shape, self.dtype).view(Tensor)
 
