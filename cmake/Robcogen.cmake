@@ -34,7 +34,8 @@
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_gradient_q_qd, which takes weights
 #       [TANGENTS function:input…]  # rates of a function's results at given rates of inputs, by forward mode:
 #                                   # inverse_dynamics:q,qd makes inverse_dynamics_tangent_q_qd, which takes q_tangent and
-#                                   # qd_tangent. The functions of all three may be among each other's
+#                                   # qd_tangent. The functions of all three may be among each other's. `all`, in any of
+#                                   # them: every function that none of them names, by its arguments
 #       [FRAMES frame|pattern…]     # functions of frames (transforms, Jacobians, world, …) for these frames only, such as
 #                                   # *_foot: to and from the base, and a Jacobian of each; with DESIRED, those of its pairs.
 #                                   # FRAMES * for all
@@ -64,6 +65,7 @@
 #                                   # <TARGET>_cuda (RobcogenGpu.cmake); the rest is not compiled
 #       [GPU_ARCHITECTURES number…] # of <TARGET>_cuda, as in CUDA_ARCHITECTURES of CMake, which is the default
 #       [PYTHON]                    # also a Python module (RobcogenPython.cmake)
+#       [JAX] [TORCH]               # with PYTHON, GRADIENTS all: JAX and PyTorch differentiate the module's functions
 #       [CASADI]                    # also the library <TARGET>_casadi of external functions of CasADi (RobcogenC.cmake)
 #       [COMPATIBILITY robcogen]    # also the headers of the first RobCoGen, for programs that were written for it, in the
 #                                   # namespace NAMESPACE (without it, iit::<robot>) and the folder INCLUDE_PATH
@@ -135,7 +137,7 @@ endfunction()
 _robcogen_read_groups()
 
 function(robcogen_add_robot)
-  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
+  set(flags FLOATING_BASE SNAP_ANGLES PASSIVE_FORCES BATCH SINGLE_PRECISION DOUBLE_ONLY PYTHON JAX TORCH CASADI NO_TESTS NO_BENCH EXCLUDE_FROM_ALL)
   set(values TARGET MODEL ROBOT SRDF DESIRED NAME NAMESPACE OUTPUT_DIR FRICTION_VELOCITY TEST_SEED TEST_SAMPLES TEST_STACK_LIMIT EXPORT_FILES COMPATIBILITY INCLUDE_PATH COMPATIBILITY_RUNTIME)
   set(lists IMPORT_DIRS XACRO_ARGS LOCK KEEP PARAMETERS ALGORITHMS DERIVATIVES GRADIENTS TANGENTS FUNCTIONS FRAMES CONTACTS INVERSE_KINEMATICS BATCH_LEVELS PROCESSORS LANGUAGES GPU_ARCHITECTURES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -149,6 +151,7 @@ function(robcogen_add_robot)
   endif()
   _robcogen_complete_arguments()
   _robcogen_check_elements(ALGORITHMS ${groups} all)
+  _robcogen_choose_gradients()
   _robcogen_choose_groups()
   _robcogen_check_derivatives()
   _robcogen_check_functions()

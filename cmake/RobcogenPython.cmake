@@ -4,6 +4,20 @@
 # every Python from 3.11 on. Building it needs the headers of one of these versions, and no Python package.
 include_guard(GLOBAL)
 
+# JAX and TORCH differentiate every function, unless the call says otherwise. Every module has functions for both packages, which
+# need neither when the module is built.
+function(_robcogen_choose_gradients)
+  foreach(keyword JAX TORCH)
+    if(library_${keyword} AND NOT library_PYTHON)
+      _robcogen_refuse("${keyword} needs PYTHON")
+    endif()
+  endforeach()
+  set(asked ${library_DERIVATIVES} ${library_GRADIENTS} ${library_TANGENTS})
+  if((library_JAX OR library_TORCH) AND NOT "all" IN_LIST asked)
+    set(library_GRADIENTS ${library_GRADIENTS} all PARENT_SCOPE)
+  endif()
+endfunction()
+
 # Finds Python, and adds the language that the generator prints to library_LANGUAGES.
 function(_robcogen_check_python)
   if(NOT library_PYTHON)

@@ -8,7 +8,7 @@
 #       [DESIRED euler.dtdsl]       # the transforms to generate, between any frames that the document connects
 #       [DERIVATIVES function:input…]
 #                                   # derivatives by `variables` or `parameters`: transforms.homogeneous.A_X_B:variables
-#       [NAME ident] [NAMESPACE a::b] [SINGLE_PRECISION] [LANGUAGES cpp …] [PYTHON] [CASADI] [DEPENDS file|target…]
+#       [NAME ident] [NAMESPACE a::b] [SINGLE_PRECISION] [LANGUAGES cpp …] [PYTHON] [JAX] [TORCH] [CASADI] [DEPENDS file|target…]
 #       [COMPILE_OPTIONS option…] [OUTPUT_DIR dir] [NO_TESTS] [TEST_SEED n] [TEST_SAMPLES n] [EXCLUDE_FROM_ALL]
 #       [EXPORT_FILES variable] [OPTIONS flag…])
 #
@@ -20,7 +20,7 @@
 include_guard(GLOBAL)
 
 function(robcogen_add_transforms)
-  set(flags SINGLE_PRECISION DOUBLE_ONLY PYTHON CASADI NO_TESTS EXCLUDE_FROM_ALL)
+  set(flags SINGLE_PRECISION DOUBLE_ONLY PYTHON JAX TORCH CASADI NO_TESTS EXCLUDE_FROM_ALL)
   set(values TARGET MOTIONS TRANSFORMS DESIRED NAME NAMESPACE OUTPUT_DIR TEST_SEED TEST_SAMPLES EXPORT_FILES)
   set(lists DERIVATIVES GRADIENTS TANGENTS LANGUAGES DEPENDS COMPILE_OPTIONS OPTIONS)
   cmake_parse_arguments(PARSE_ARGV 0 library "${flags}" "${values}" "${lists}")
@@ -30,6 +30,7 @@ function(robcogen_add_transforms)
   _robcogen_check_keywords(${values} ${lists} ${flags})
   _robcogen_choose_document()
   _robcogen_complete_arguments()
+  _robcogen_choose_gradients()
   _robcogen_check_derivatives()
   _robcogen_check_elements(LANGUAGES cpp c matlab maxima javascript)
   _robcogen_check_cpp()

@@ -1,15 +1,18 @@
-"""The page on automatic differentiation: its programs run where JAX and PyTorch are, and give the gradients of the module. What they
+"""The page on JAX and PyTorch: its programs run where these are, and give the gradients of the module. What they
 rest on, the derivatives of the module, is compared with differences everywhere."""
 import importlib.util
 import os
 import re
+import sys
 import unittest
 
 import numpy as np
 
 import arm
 
-PAGE = os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "python", "README.md")
+PACKAGE = os.path.join(os.environ["ROBCOGEN_SOURCE_DIR"], "runtime", "python")
+PAGE = os.path.join(PACKAGE, "README.md")
+sys.path.insert(0, PACKAGE)
 
 
 def program(section):

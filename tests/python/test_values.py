@@ -27,6 +27,17 @@ def parameters_of(module):
     return {name: 1.1 * getattr(module.Parameters(), name) for name in module.parameter_names}
 
 
+DERIVED = {
+    "inverse_dynamics_d_q": ("--derivatives", "inverse_dynamics:q"),
+    "contact_jacobian_d_q": ("--derivatives", "contact_jacobian:q"),
+    "inverse_dynamics_gradient_parameters_q": ("--gradients", "inverse_dynamics:parameters,q"),
+    "forward_dynamics_gradient_q": ("--gradients", "forward_dynamics:q"),
+    "forward_dynamics_gradient_gravity": ("--gradients", "forward_dynamics:gravity"),
+    "kinetic_energy_gradient_q_qd": ("--gradients", "kinetic_energy:q,qd"),
+    "potential_energy_tangent_q": ("--tangents", "potential_energy:q"),
+}
+
+
 class Values(unittest.TestCase):
     def compare(self, module, name, function, state, *options):
         arguments, results = shapes(function)
@@ -67,9 +78,7 @@ class Values(unittest.TestCase):
             for name, function in scopes(module):
                 if name.startswith("inertia_factor") or name in OF_POSES:
                     continue
-                derived = {"inverse_dynamics_d_q": "inverse_dynamics:q", "contact_jacobian_d_q": "contact_jacobian:q"}
-                options = ["--derivatives", derived[name]] if name in derived else []
-                self.compare(module, name, function, {}, *options)
+                self.compare(module, name, function, {}, *DERIVED.get(name, ()))
                 count += 1
         self.assertGreater(count, 50)
 

@@ -270,7 +270,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
   subcommand.add_option(
       "--derivatives", model.derivatives,
       "Functions to differentiate, and their inputs: function:input or function:input,input, such as "
-      "inverse_dynamics:q,qd");
+      "inverse_dynamics:q,qd; or all: every function by its arguments, except those that are named too");
   subcommand.add_option(
       "--gradients", model.gradients,
       "The same, for the gradient of a weighted sum of the function's results instead of matrices");

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
-#include "driver/formulations.h"
+#include "driver/declare.h"
 #include "driver/derivatives.h"
 #include "driver/driver.h"
 #include "driver/find_function.h"
+#include "driver/formulations.h"
 #include "pass/passes.h"
 
 namespace robcogen::command {
@@ -45,7 +47,10 @@ EvaluableFunction find_function_of_robot(
     const std::string& name,
     const driver::Steps& steps) {
   const driver::Robot& robot = *model.robot();
-  std::vector<driver::Function> overloads = driver::derivative_functions(robot, model.file);
+  const bool has_all = std::any_of(
+      robot.derivatives.begin(), robot.derivatives.end(), [](const auto& derivative) { return derivative.is_all(); });
+  std::vector<driver::Function> overloads =
+      driver::declare(model, has_all ? algorithm::groups() : std::vector<std::string>{}).list;
   std::erase_if(overloads, [&](const driver::Function& f) { return dotted(f.scope, f.name) != name; });
   if (overloads.empty())
     for (algorithm::Declared& declared : driver::find_functions(robot, name))

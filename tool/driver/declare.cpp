@@ -16,7 +16,7 @@ Functions declare_robot(const Robot& robot, const std::filesystem::path& file, c
   for (const std::string& group : groups)
     for (algorithm::Declared& declared : algorithm::declared(robot.tree, robot.desired, group))
       result.list.push_back(function_of(std::move(declared)));
-  for (Function& f : derivative_functions(robot, file)) result.list.push_back(std::move(f));
+  for (Function& f : derivative_functions(robot, result.list, file)) result.list.push_back(std::move(f));
   return result;
 }
 

@@ -116,9 +116,9 @@ std::string suffix_of(const Derivative& derivative) {
   return fmt::format("_{}_{}", words_of(derivative.form).infix, fmt::join(derivative.inputs, "_"));
 }
 
-std::string suffix_of(const std::vector<const Derivative*>& derivatives_in_turn) {
+std::string suffix_of(const std::vector<Derivative>& derivatives_in_turn) {
   std::string suffix;
-  for (const Derivative* derivative : derivatives_in_turn) suffix += suffix_of(*derivative);
+  for (const Derivative& derivative : derivatives_in_turn) suffix += suffix_of(derivative);
   return suffix;
 }
 
@@ -307,14 +307,40 @@ bool is_identifier(const std::string& text) {
   return !text.empty() && !(text[0] >= '0' && text[0] <= '9');
 }
 
-// Each derivative once.
-std::vector<const Derivative*> distinct(const std::vector<Derivative>& list) {
-  std::vector<const Derivative*> result;
+// The inputs by which `all` differentiates a function; none if it leaves the function out.
+std::vector<std::string> smooth_inputs(const Program& outline) {
+  // Such as `d_q` of inverse_dynamics_derivatives.
+  for (const symbolic::OutputArray& output : outline.outputs)
+    for (const symbolic::InputArray& input : outline.inputs)
+      if (output.name == symbolic::name_of_gradient(input.name)) return {};
+  std::vector<std::string> inputs;
+  for (const symbolic::InputArray& input : outline.inputs)
+    if (input.role != Role::parameters && input.role != Role::contact_activity && !input.elements.empty())
+      inputs.push_back(input.name);
+  return inputs;
+}
+
+// Each derivative once, and in the place of `all` those that it stands for.
+std::vector<Derivative> expanded(const std::vector<Derivative>& list, const std::vector<Function>& functions) {
+  std::vector<Derivative> result;
+  const auto is_known = [&](const auto& is_same) { return std::any_of(result.begin(), result.end(), is_same); };
+  for (const Derivative& d : list)
+    if (!d.is_all() && !is_known([&](const Derivative& other) {
+          return other.function == d.function && other.inputs == d.inputs && other.form == d.form;
+        }))
+      result.push_back(d);
+  const std::vector<Derivative> named = result;
   for (const Derivative& d : list) {
-    const bool is_known = std::any_of(result.begin(), result.end(), [&](const Derivative* other) {
-      return other->function == d.function && other->inputs == d.inputs && other->form == d.form;
-    });
-    if (!is_known) result.push_back(&d);
+    if (!d.is_all()) continue;
+    for (const Function& f : functions) {
+      const std::string name = dotted(f.scope, f.name);
+      const auto is_of_it = [&](const Derivative& other) { return other.function == name; };
+      const auto is_same = [&](const Derivative& other) { return is_of_it(other) && other.form == d.form; };
+      if (f.scope == "inertia_factor" || f.group == "inverse_kinematics") continue;
+      if (std::any_of(named.begin(), named.end(), is_of_it) || is_known(is_same)) continue;
+      std::vector<std::string> inputs = smooth_inputs(f.declared ? algorithm::outline(*f.declared) : f.program);
+      if (!inputs.empty()) result.push_back({name, std::move(inputs), d.form});
+    }
   }
   return result;
 }
@@ -326,9 +352,10 @@ Derivative parse_derivative(const std::string& text, DerivativeForm form) {
     throw Failure{
         wrong_usage, fmt::format(
                          "robcogen: error: {} '{}': {} [wrong-derivative]\nhint: write function:input or "
-                         "function:input,input, such as inverse_dynamics:q,qd",
+                         "function:input,input, such as inverse_dynamics:q,qd, or all",
                          words_of(form).option, text, message)};
   };
+  if (text == "all") return {text, {}, form};
   // `jacobians::A_J_B:q`, as in C++, means the same as `jacobians.A_J_B:q`.
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) refuse_text("no input to differentiate with respect to");
@@ -347,7 +374,7 @@ Derivative parse_derivative(const std::string& text, DerivativeForm form) {
   return result;
 }
 
-Function function_of(Declared declared, std::vector<const Derivative*> derivatives_in_turn) {
+Function function_of(Declared declared, std::vector<Derivative> derivatives_in_turn) {
   Function function;
   const std::string suffix = suffix_of(derivatives_in_turn);
   function.group = suffix.empty() ? declared.is->group : kDerivativesGroup;
@@ -362,31 +389,31 @@ Function function_of(Declared declared, std::vector<const Derivative*> derivativ
 namespace {
 
 // This derivative, after those of which it is the derivative.
-std::vector<const Derivative*> in_turn(const Derivative& derivative, const std::vector<Derivative>& all) {
+std::vector<Derivative> in_turn(const Derivative& derivative, const std::vector<Derivative>& all) {
   for (const Derivative& inner : all) {
     if (inner.function + suffix_of(inner) != derivative.function) continue;
-    std::vector<const Derivative*> result = in_turn(inner, all);
-    result.push_back(&derivative);
+    std::vector<Derivative> result = in_turn(inner, all);
+    result.push_back(derivative);
     return result;
   }
-  return {&derivative};
+  return {derivative};
 }
 
 // The overloads that have these derivatives. Throws a Failure if there is none.
 std::vector<Declared> overloads_with(
-    const std::vector<const Derivative*>& derivatives_in_turn,
+    const std::vector<Derivative>& derivatives_in_turn,
     std::vector<Declared> overloads) {
   std::vector<Program> outlines;
   for (const Declared& overload : overloads) outlines.push_back(algorithm::outline(overload));
-  for (const Derivative* derivative : derivatives_in_turn) {
-    require_inputs(*derivative, outlines);
+  for (const Derivative& derivative : derivatives_in_turn) {
+    require_inputs(derivative, outlines);
     std::vector<Declared> remaining;
     std::vector<Program> with_derivative;
     for (std::size_t k = 0; k < overloads.size(); ++k) {
-      if (!takes_all(outlines[k], *derivative)) continue;
-      require_new_names(*derivative, outlines[k]);
+      if (!takes_all(outlines[k], derivative)) continue;
+      require_new_names(derivative, outlines[k]);
       remaining.push_back(std::move(overloads[k]));
-      with_derivative.push_back(outline_with(std::move(outlines[k]), *derivative));
+      with_derivative.push_back(outline_with(std::move(outlines[k]), derivative));
     }
     overloads = std::move(remaining);
     outlines = std::move(with_derivative);
@@ -396,17 +423,21 @@ std::vector<Declared> overloads_with(
 
 }  // namespace
 
-std::vector<Function> derivative_functions(const Robot& robot, const std::filesystem::path& model) {
+std::vector<Function> derivative_functions(
+    const Robot& robot,
+    const std::vector<Function>& functions,
+    const std::filesystem::path& model) {
   std::vector<Function> list;
-  for (const Derivative* derivative : distinct(robot.derivatives)) {
-    const std::vector<const Derivative*> derivatives_in_turn = in_turn(*derivative, robot.derivatives);
-    const std::string& name = derivatives_in_turn.front()->function;
+  const std::vector<Derivative> derivatives = expanded(robot.derivatives, functions);
+  for (const Derivative& derivative : derivatives) {
+    const std::vector<Derivative> derivatives_in_turn = in_turn(derivative, derivatives);
+    const std::string& name = derivatives_in_turn.front().function;
     std::vector<Declared> overloads = find_functions(robot, name);
     if (overloads.empty())
       refuse_function(fmt::format("robot '{}'", robot.tree.name), model, name, function_names(robot));
     if (overloads.front().is->scope == std::string("inertia_factor"))
       refuse(
-          *derivative, "functions of an inertia factor take an object, not numbers",
+          derivative, "functions of an inertia factor take an object, not numbers",
           "joint_space_inertia and forward_dynamics have derivatives");
     for (Declared& overload : overloads_with(derivatives_in_turn, std::move(overloads)))
       list.push_back(function_of(std::move(overload), derivatives_in_turn));
@@ -421,14 +452,14 @@ std::vector<symbolic::Function> derivative_functions(
   std::vector<std::string> names;
   for (const Function& f : functions) names.push_back(dotted(f.scope, f.name));
   std::vector<symbolic::Function> list;
-  for (const Derivative* derivative : distinct(transforms.derivatives)) {
-    const auto place = std::find(names.begin(), names.end(), derivative->function);
+  for (const Derivative& derivative : expanded(transforms.derivatives, functions)) {
+    const auto place = std::find(names.begin(), names.end(), derivative.function);
     if (place == names.end())
-      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative->function, names);
+      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative.function, names);
     symbolic::Function f = functions[static_cast<std::size_t>(place - names.begin())];
-    require_inputs(*derivative, {f.program});
+    require_inputs(derivative, {f.program});
     f.group = kDerivativesGroup;
-    list.push_back(differentiated(std::move(f), *derivative, DerivativeMode::cheaper));
+    list.push_back(differentiated(std::move(f), derivative, DerivativeMode::cheaper));
   }
   return list;
 }

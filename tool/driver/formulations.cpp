@@ -55,8 +55,8 @@ bool has_formulation(const Function& function) {
 symbolic::Function traced(const Function& function, FormulationChoices& choices) {
   symbolic::Function result = algorithm::trace(*function.declared, choices);
   if (!result.parts.empty()) require_compilable(result);
-  for (const Derivative* derivative : function.derivatives_in_turn)
-    result = differentiated(std::move(result), *derivative, *function.declared, choices);
+  for (const Derivative& derivative : function.derivatives_in_turn)
+    result = differentiated(std::move(result), derivative, *function.declared, choices);
   return result;
 }
 

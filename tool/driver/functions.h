@@ -17,7 +17,7 @@ namespace robcogen::driver {
 struct Function : symbolic::Function {
   // Of a robot: what it is, and the derivatives that the user asks for, each of the function before it.
   std::shared_ptr<const algorithm::Declared> declared = {};
-  std::vector<const Derivative*> derivatives_in_turn = {};
+  std::vector<Derivative> derivatives_in_turn = {};
 
   // The results against which rounding errors are measured, if they are.
   std::shared_ptr<const symbolic::AccurateResults> results = {};

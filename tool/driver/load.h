@@ -18,11 +18,13 @@
 namespace robcogen::driver {
 
 // A function, by the name that `ops` prints, and the inputs by which it is to be differentiated. The function may be a
-// derivative that is asked for too.
+// derivative that is asked for too. Without inputs: all functions (derivatives.h).
 struct Derivative {
   std::string function;
   std::vector<std::string> inputs;
   symbolic::DerivativeForm form = symbolic::DerivativeForm::matrix;
+
+  bool is_all() const { return inputs.empty(); }
 };
 
 struct Robot {

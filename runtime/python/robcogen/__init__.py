@@ -50,7 +50,8 @@ def build(
     name: of the module; default: the model file's. desired: a list of transforms (.dtdsl); default: the one next to the
     model, or else all links. algorithms: groups of functions; default: the default groups. derivatives: such as
     "inverse_dynamics:q". gradients, tangents: the same for products with weights of the results or rates of the inputs
-    (vector-Jacobian and Jacobian-vector products). contacts: frames in contact, such as "foot" or "sole:surface". A
+    (vector-Jacobian and Jacobian-vector products). "all", in any of the three: every function that none of them names, by
+    its arguments; with gradients="all", JAX and PyTorch differentiate all functions of module.jax and module.torch. contacts: frames in contact, such as "foot" or "sole:surface". A
     single string is one element.
 
     Of a URDF, SDF or MJCF: floating_base: the root link floats. snap_angles: angles near multiples of PI/12 become these.

@@ -213,8 +213,12 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ROBOT base)
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl FLOATING_BASE)
 
 #### wrong_derivative
-# robcogen_add_robot(TARGET hyl): DERIVATIVES: 'inverse_dynamics' is not function:input or function:input,input, such as inverse_dynamics:q,qd
+# robcogen_add_robot(TARGET hyl): DERIVATIVES: 'inverse_dynamics' is not function:input or function:input,input, such as inverse_dynamics:q,qd, or all
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DERIVATIVES jacobians.base_J_foot:q inverse_dynamics)
+
+#### torch_without_python
+# robcogen_add_robot(TARGET hyl): TORCH needs PYTHON
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl TORCH)
 
 #### wrong_function
 # robcogen_add_robot(TARGET hyl): FUNCTIONS: 'bias_forces + gravity_forces' is not name = function + function, such as control = joint_space_inertia + bias_forces

@@ -55,5 +55,5 @@ robcogen_add_transforms(TARGET euler MODEL euler.motdsl)
 robcogen_add_transforms(TARGET euler MOTIONS euler.motdsl LANGUAGES fortran)
 
 #### transforms_wrong_derivative
-# robcogen_add_transforms(TARGET euler): DERIVATIVES: 'transforms.homogeneous.A_X_B:' is not function:input or function:input,input, such as inverse_dynamics:q,qd
+# robcogen_add_transforms(TARGET euler): DERIVATIVES: 'transforms.homogeneous.A_X_B:' is not function:input or function:input,input, such as inverse_dynamics:q,qd, or all
 robcogen_add_transforms(TARGET euler MOTIONS euler.motdsl DERIVATIVES transforms.homogeneous.A_X_B:)

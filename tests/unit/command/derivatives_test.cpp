@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 
 const std::filesystem::path kLeg = ROBCOGEN_ROBOTS_DIR "/hyl_parametric/hyl_parametric.kindsl";
+const std::filesystem::path kHyl = ROBCOGEN_ROBOTS_DIR "/hyl/hyl.kindsl";
 const std::filesystem::path kEuler = ROBCOGEN_ROBOTS_DIR "/euler/euler.motdsl";
 
 json results_of(
@@ -330,6 +331,35 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"inverse_dynamics:q,q", "'q' is given twice"},
         Fault{"inertia_factor.solve:x", "functions of an inertia factor take an object"},
         Fault{"jacobians.fr_base_J_foot:q", "has no function 'jacobians.fr_base_J_foot'"}));
+
+// The names of functions in the list of `ops`.
+std::vector<std::string> functions_with(const std::string& options) {
+  const Outcome run = run_tool("ops --json " + quoted(kHyl) + " " + options, "");
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const json list = json::parse(run.output);
+  std::vector<std::string> names;
+  for (const json& f : list["functions"]) names.push_back(f["name"]);
+  return names;
+}
+
+TEST(Derivatives, All) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(
+      functions_with("--algorithms energy joint_space_inertia_factor --gradients all"),
+      (Names{
+          "joint_space_inertia_factor", "inertia_factor.solve", "inertia_factor.inverse", "inertia_factor.inverse_L",
+          "kinetic_energy", "potential_energy", "joint_space_inertia_factor_gradient_q", "kinetic_energy_gradient_q_qd",
+          "potential_energy_gradient_q"}));
+  // Functions that are named, or have derivatives among their results, get no others; gravity is one of the loads.
+  EXPECT_EQ(
+      functions_with("--algorithms energy inverse_dynamics_derivatives --tangents all --derivatives kinetic_energy:qd"),
+      (Names{
+          "inverse_dynamics_derivatives", "gravity_forces_derivative", "kinetic_energy", "potential_energy",
+          "kinetic_energy_d_qd", "potential_energy_tangent_q"}));
+  const json state = {{"q", {0.3, -0.4, 0.5}}, {"weights", {1.0}}};
+  const json found = results_of(kLeg, "potential_energy_gradient_q", "--gradients all", state);
+  EXPECT_EQ(found, results_of(kLeg, "potential_energy_gradient_q", "--gradients potential_energy:q", state));
+}
 
 TEST(Derivatives, MessagesNameTheirOption) {
   const auto errors = [](const std::string& options) {

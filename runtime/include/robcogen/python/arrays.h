@@ -83,6 +83,8 @@ class View {
   bool read_result(PyObject* object, const Argument& argument, const char* function);
   // Sets the numbers of an argument that are the same in all states.
   void set_constant(const double* numbers, const Argument& argument);
+  // Sets states that lie one after another, each dimension by dimension without gaps; type: 'd' or 'f'.
+  void set_memory(void* data, char type, std::ptrdiff_t states, const Argument& argument);
 
   bool is_batch() const { return is_batch_; }
   std::ptrdiff_t states() const { return states_; }
@@ -216,10 +218,10 @@ class View {
     if (inner_ * outer_ <= 1) line_stride_ = page_stride_;
     is_line_ = is_line_ && page_stride_ == inner_ * outer_ * line_stride_;
   }
-  // The strides of numbers that lie dimension by dimension, the last one without gaps.
-  void set_dense_strides(const Argument& a) {
-    const std::ptrdiff_t last = 8 * static_cast<std::ptrdiff_t>(a.pages);
-    set_strides(a, a.rank >= 2 ? last * a.columns : last, last, 8);
+  // The strides of numbers of this many bytes that lie dimension by dimension, the last one without gaps.
+  void set_dense_strides(const Argument& a, std::ptrdiff_t bytes = 8) {
+    const std::ptrdiff_t last = bytes * a.pages;
+    set_strides(a, a.rank >= 2 ? last * a.columns : last, last, bytes);
   }
   bool take_buffer(const Argument& argument, const char* function, bool is_result);
   bool fail(const Argument& a, const char* function, int count, const Py_ssize_t* lengths, bool is_result) const;
@@ -397,6 +399,16 @@ inline void View::set_constant(const double* numbers, const Argument& a) {
   numbers_.assign(numbers, numbers + size(a));
   data_ = reinterpret_cast<const char*>(numbers_.data());
   set_dense_strides(a);
+}
+
+inline void View::set_memory(void* data, char type, std::ptrdiff_t states, const Argument& a) {
+  const std::ptrdiff_t bytes = type == 'f' ? 4 : 8;
+  data_ = static_cast<const char*>(data);
+  type_ = type;
+  is_batch_ = true;
+  states_ = states;
+  state_stride_ = bytes * size(a);
+  set_dense_strides(a, bytes);
 }
 
 }  // namespace robcogen::python

@@ -71,10 +71,9 @@ inline bool set_default(const Entry& entry, const Argument& a, View& view) {
 // printed with four digits.
 inline constexpr double kUnitTolerance = 1e-4;
 
-// Whether the quaternions of all states have unit length; NaN affects only its own state. Otherwise an exception is
-// set.
-inline bool check_quaternions(const Entry& entry, const Argument& a, const View& view) {
-  if (a.quaternions.empty()) return true;
+// What is wrong with the quaternions of the states; empty if all have unit length. NaN affects only its own state.
+inline std::string wrong_quaternion(const Argument& a, const View& view) {
+  if (a.quaternions.empty()) return "";
   std::vector<double> values(static_cast<std::size_t>(size(a)));
   for (std::ptrdiff_t state = 0; state < view.states(); ++state) {
     view.gather(state, values.data());
@@ -88,13 +87,19 @@ inline bool check_quaternions(const Entry& entry, const Argument& a, const View&
       const std::string where = view.is_batch() ? " in state " + std::to_string(state) : "";
       const bool is_pose = std::strcmp(a.name, "base_pose") == 0;
       const char* const order = std::strcmp(a.name, "orientation") == 0 ? "x, y, z, w" : "w, x, y, z";
-      return refuse(
-          entry, of + " must be a unit quaternion " + order + (is_pose ? ", followed by the position" : "") +
-                     ": its norm" + where + " is " + text +
-                     (is_pose ? "; base_pose_from_mujoco and base_pose_from_ros take other orders" : ""));
+      std::string message = of + " must be a unit quaternion " + order;
+      if (is_pose) message += ", followed by the position";
+      message.append(": its norm").append(where).append(" is ").append(text);
+      if (is_pose) message += "; base_pose_from_mujoco and base_pose_from_ros take other orders";
+      return message;
     }
   }
-  return true;
+  return "";
+}
+
+inline bool check_quaternions(const Entry& entry, const Argument& a, const View& view) {
+  const std::string wrong = wrong_quaternion(a, view);
+  return wrong.empty() || refuse(entry, wrong);
 }
 
 // Returns whether it succeeded; otherwise an exception is set.

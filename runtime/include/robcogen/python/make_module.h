@@ -2,6 +2,7 @@
 // names and limits of the model.
 #pragma once
 
+#include "robcogen/python/description.h"
 #include "robcogen/python/module.h"
 #include "robcogen/python/parameters.h"
 
@@ -19,14 +20,6 @@ PyObject* tuple(const List<T>& values, F make) {
   PyObject* const result = PyTuple_New(static_cast<Py_ssize_t>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i) PyTuple_SetItem(result, static_cast<Py_ssize_t>(i), make(values[i]));
   return result;
-}
-
-// An attribute of another module. Returns a new reference, or null with an exception.
-inline PyObject* imported(const char* module, const char* name) {
-  PyObject* const from = PyImport_ImportModule(module);
-  PyObject* const object = from ? PyObject_GetAttrString(from, name) : nullptr;
-  Py_DecRef(from);
-  return object;
 }
 
 // Returns the module of a scope such as `transforms.homogeneous`, and makes it if there is none. A borrowed reference.
@@ -221,7 +214,7 @@ inline bool fill_module(PyObject* module, const Module& m) {
   if (!import_types(module, *state) || !add_parameters(module, *state) || !add_model(module, *state)) return false;
   for (const Function& f : m.functions)
     if (!add_function(module, *state, f)) return false;
-  return true;
+  return add_attributes_on_demand(module);
 }
 
 // Adds to a new module what the tables say. Returns 0, or -1 with an exception.
