@@ -452,14 +452,21 @@ std::vector<symbolic::Function> derivative_functions(
   std::vector<std::string> names;
   for (const Function& f : functions) names.push_back(dotted(f.scope, f.name));
   std::vector<symbolic::Function> list;
-  for (const Derivative& derivative : expanded(transforms.derivatives, functions)) {
-    const auto place = std::find(names.begin(), names.end(), derivative.function);
+  const std::vector<Derivative> derivatives = expanded(transforms.derivatives, functions);
+  for (const Derivative& derivative : derivatives) {
+    const std::vector<Derivative> derivatives_in_turn = in_turn(derivative, derivatives);
+    const std::string& name = derivatives_in_turn.front().function;
+    const auto place = std::find(names.begin(), names.end(), name);
     if (place == names.end())
-      refuse_function(fmt::format("model '{}'", transforms.document.name), model, derivative.function, names);
+      refuse_function(fmt::format("model '{}'", transforms.document.name), model, name, names);
     symbolic::Function f = functions[static_cast<std::size_t>(place - names.begin())];
-    require_inputs(derivative, {f.program});
     f.group = kDerivativesGroup;
-    list.push_back(differentiated(std::move(f), derivative, DerivativeMode::cheaper));
+    for (const Derivative& next : derivatives_in_turn) {
+      require_inputs(next, {f.program});
+      require_new_names(next, f.program);
+      f = differentiated(std::move(f), next, DerivativeMode::cheaper);
+    }
+    list.push_back(std::move(f));
   }
   return list;
 }
