@@ -301,6 +301,58 @@ TEST(Contacts, ConstrainedInverseDynamicsHasTheSmallestWrenches) {
   EXPECT_GT(open, 2);
 }
 
+// Moved along forces that the base does not feel, the wrenches cost more: the gradient f / weights - J_q U tau of the
+// cost is J_b y, and J_b^T f + r y = the wrench that the base needs. Without torque weights, the torques do not count.
+TEST(Contacts, MinimumTorqueInverseDynamicsHasTheSmallestTorques) {
+  int compared = 0;
+  for_each_case("contacts", [&](Case& c) {
+    EXPECT_EQ(c.robot->has("minimum_torque_inverse_dynamics"), c.floating());
+    if (!c.floating()) return;
+    const int n = c.size() - 6;
+    Values by_contact = c.random(static_cast<int>(c.desired.contacts.size()), 0.5, 2);
+    if (by_contact.size() > 2) by_contact.front() = 0;
+    const Values weights = c.by_row(by_contact);
+    const Values torque_weights = c.random(n, 0, 2);
+    const double r = 0.3;
+    const Matrix J = c.contact_jacobian(), J_b = J.block(0, 0, c.rows, 6), J_q = J.block(0, 6, c.rows, n);
+    const Vector needed =
+        c.generalized(reference::inverse_dynamics_fully_actuated(c.tables->robot(), c.motion, c.loads()));
+    const auto results = c.run(
+        "minimum_torque_inverse_dynamics",
+        {{"weights", weights}, {"torque_weights", torque_weights}, {"regularization", {r}}});
+    const Vector f = matrix(results.at("contact_wrenches"), c.rows);
+    const Vector left = needed - transpose(J) * f;  // r y, and the torques
+    EXPECT_LT(
+        static_cast<double>(reference::largest(c.result(results, "base_wrench", "tau") - left)),
+        kDynamics * static_cast<double>(1 + reference::largest(needed) + reference::largest(f)));
+    Vector costs = left.tail(n);
+    for (int k = 0; k < n; ++k) costs(k) *= torque_weights[static_cast<std::size_t>(k)];
+    Vector gradient = J_q * costs + Real(1 / r) * (J_b * left.head(6));
+    for (int k = 0; k < c.rows; ++k) {
+      const Real weight = weights[static_cast<std::size_t>(k)];
+      if (weight == 0) {
+        EXPECT_EQ(f(k), 0);
+        gradient(k) = 0;
+      } else {
+        gradient(k) -= f(k) / weight;
+      }
+    }
+    EXPECT_LT(
+        static_cast<double>(reference::largest(gradient)),
+        1e3 * kDynamics * static_cast<double>(1 + reference::largest(needed) + reference::largest(f)));
+
+    const auto without = c.run(
+        "minimum_torque_inverse_dynamics",
+        {{"weights", weights}, {"torque_weights", Values(static_cast<std::size_t>(n))}, {"regularization", {r}}});
+    const auto plain = c.run("constrained_inverse_dynamics", {{"weights", weights}, {"regularization", {r}}});
+    EXPECT_LT(
+        relative(matrix(without.at("contact_wrenches"), c.rows), matrix(plain.at("contact_wrenches"), c.rows)),
+        kDynamics);
+    ++compared;
+  });
+  EXPECT_GT(compared, 10);
+}
+
 TEST(Contacts, OperationalSpaceIsDynamicallyConsistent) {
   int compared = 0;
   for_each_case("operational_space", [&](Case& c) {

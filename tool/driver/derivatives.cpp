@@ -457,8 +457,7 @@ std::vector<symbolic::Function> derivative_functions(
     const std::vector<Derivative> derivatives_in_turn = in_turn(derivative, derivatives);
     const std::string& name = derivatives_in_turn.front().function;
     const auto place = std::find(names.begin(), names.end(), name);
-    if (place == names.end())
-      refuse_function(fmt::format("model '{}'", transforms.document.name), model, name, names);
+    if (place == names.end()) refuse_function(fmt::format("model '{}'", transforms.document.name), model, name, names);
     symbolic::Function f = functions[static_cast<std::size_t>(place - names.begin())];
     f.group = kDerivativesGroup;
     for (const Derivative& next : derivatives_in_turn) {

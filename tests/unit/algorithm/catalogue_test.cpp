@@ -316,7 +316,11 @@ TEST(RobotPrograms, OfContacts) {
           "tau "
           "2x1 contact_wrenches 9x1 base_wrench 6x1",
           "constrained_inverse_dynamics_external: q qd qdd base_velocity base_acceleration weights regularization "
-          "gravity external -> tau 2x1 contact_wrenches 9x1 base_wrench 6x1"}));
+          "gravity external -> tau 2x1 contact_wrenches 9x1 base_wrench 6x1",
+          "minimum_torque_inverse_dynamics: q qd qdd base_velocity base_acceleration weights torque_weights "
+          "regularization gravity -> tau 2x1 contact_wrenches 9x1 base_wrench 6x1",
+          "minimum_torque_inverse_dynamics_external: q qd qdd base_velocity base_acceleration weights torque_weights "
+          "regularization gravity external -> tau 2x1 contact_wrenches 9x1 base_wrench 6x1"}));
   EXPECT_EQ(
       of(true, "operational_space"),
       List{"operational_space: q active compliance -> inertia 9x9 inverse 8x9 projector 8x8"});

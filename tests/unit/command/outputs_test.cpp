@@ -103,8 +103,9 @@ TEST_F(Outputs, ReplaceGeneratedFilesOnly) {
 }
 
 TEST_F(Outputs, AreNeverInputs) {
-  const std::vector<std::string> kinds =
-      ROBCOGEN_TEST_EVERYTHING ? std::vector<std::string>{"soft", "hard", "behind a folder"} : std::vector<std::string>{"hard"};
+  const std::vector<std::string> kinds = ROBCOGEN_TEST_EVERYTHING
+                                             ? std::vector<std::string>{"soft", "hard", "behind a folder"}
+                                             : std::vector<std::string>{"hard"};
   for (const OutputRow& row : kOutputRows)
     for (const std::string& kind : kinds) {
       const std::string before = get(row.input);

@@ -110,13 +110,13 @@ TEST_F(Streams, UnreadableInput) {
 
 TEST_F(Streams, InputWithoutEnd) {
   const std::string eval = "eval " + quoted(robot("hyl")) + " potential_energy";
-  for (const std::string& script :
-       {
+  for (const std::string& script : {
 #if ROBCOGEN_TEST_EVERYTHING
-           std::string("\"$tool\" check /dev/zero"), std::string("\"$tool\" check - < /dev/zero"),
-           std::string("yes | \"$tool\" check /dev/stdin"),
+         std::string("\"$tool\" check /dev/zero"), std::string("\"$tool\" check - < /dev/zero"),
+             std::string("yes | \"$tool\" check /dev/stdin"),
 #endif
-           std::string("yes | \"$tool\" check -")}) {
+             std::string("yes | \"$tool\" check -")
+       }) {
     const Outcome run = run_script(script);
     EXPECT_EQ(run.status, 2) << script;
     EXPECT_NE(run.errors.find("more than 64 MiB"), std::string::npos) << run.errors;

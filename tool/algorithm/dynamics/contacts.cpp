@@ -1,9 +1,11 @@
 #include "algorithm/dynamics/contacts.h"
 
+#include <string>
 #include <utility>
 
 #include "algorithm/dynamics/contact_system.h"
 #include "algorithm/dynamics/drives.h"
+#include "algorithm/dynamics/ldl.h"
 #include "algorithm/spatial/couplings.h"
 
 namespace robcogen::algorithm {
@@ -170,6 +172,82 @@ Program constrained_inverse_dynamics(
   for (const std::vector<Expression>& row : weighted) {
     Expression& f = wrenches.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) f += row[k] * y[k];
+  }
+  subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
+  trace.output("tau", Role::joint_force, tau);
+  trace.output("contact_wrenches", Role::value, wrenches);
+  trace.output("base_wrench", Role::base_wrench, forces.base_wrench);
+  return trace.program(name);
+}
+
+// With E = D J = [E_b E_q], D^2 the weights and U the torque weights, f = D g minimises (tau - E_q^T g)^T U (tau -
+// E_q^T g)
+// + g^T g if (1 + E_q U E_q^T) g = E_q U tau + E_b y, where y are the multipliers of the base: E_b^T g + r y = the
+// wrench that the base needs. Weights may be zero.
+Program minimum_torque_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation) {
+  constexpr int kBase = 6;
+  Trace trace(tree);
+  const StateInputs in = motion_inputs(trace);
+  const std::vector<std::string> elements = force_elements(contacts);
+  const std::vector<Expression> weights = trace.input("weights", Role::contact_compliance, elements);
+  std::vector<std::string> coordinates;
+  for (const int joint : tree.coordinates()) coordinates.push_back(tree.joints[at(joint)].name);
+  const std::vector<Expression> torque_weights = trace.input("torque_weights", Role::contact_compliance, coordinates);
+  const Expression regularization = trace.input("regularization", Role::contact_compliance, {"r"}).front();
+  Forces forces = TracedMotion(trace, in, loads, formulation).forces;
+  std::vector<Expression> tau = by_coordinate(trace, forces.tau);
+  const ContactRows rows(trace, in.q, contacts);
+
+  trace.section("contacts", "contacts: wrenches");
+  std::vector<Expression> roots;
+  std::vector<std::vector<Expression>> scaled;  // E, by row
+  for (int r = 0; r < rows.size(); ++r) {
+    roots.push_back(sqrt(weights[at(r)]));
+    std::vector<Expression>& row = scaled.emplace_back();
+    for (const Expression& element : rows.J[at(r)]) row.push_back(roots.back() * element);
+  }
+  SquareMatrix system(rows.size());
+  std::vector<RightSide> right(1 + kBase);
+  right.front().name = "torque";
+  for (int k = 0; k < kBase; ++k) right[at(1 + k)].name = "base" + std::to_string(k);
+  for (int r = 0; r < rows.size(); ++r) {
+    const std::vector<Expression>& row = scaled[at(r)];
+    std::vector<Expression> costly;  // E_q U
+    for (std::size_t j = 0; j < tau.size(); ++j) costly.push_back(row[at(kBase) + j] * torque_weights[j]);
+    for (int i = 0; i <= r; ++i) {
+      for (std::size_t j = 0; j < tau.size(); ++j) system(r, i) += costly[j] * scaled[at(i)][at(kBase) + j];
+      system(i, r) = system(r, i);
+    }
+    system(r, r) += trace.graph.one();
+    Expression& along = right.front().b.emplace_back();
+    for (std::size_t j = 0; j < tau.size(); ++j) along += costly[j] * tau[j];
+    for (int k = 0; k < kBase; ++k) right[at(1 + k)].b.push_back(row[at(k)]);
+  }
+  const std::vector<std::vector<Expression>> solved = solve(system, right, elements);
+
+  SquareMatrix gram(kBase);
+  const Force& needed = forces.base_wrench;
+  std::vector<Expression> b(needed.moment.element.begin(), needed.moment.element.end());
+  b.insert(b.end(), needed.linear.element.begin(), needed.linear.element.end());
+  for (int i = 0; i < kBase; ++i) {
+    for (int k = 0; k <= i; ++k) {
+      for (int r = 0; r < rows.size(); ++r) gram(i, k) += scaled[at(r)][at(i)] * solved[at(1 + k)][at(r)];
+      gram(k, i) = gram(i, k);
+    }
+    gram(i, i) += regularization;
+    for (int r = 0; r < rows.size(); ++r) b[at(i)] -= scaled[at(r)][at(i)] * solved.front()[at(r)];
+  }
+  const std::vector<Expression> y = solve(gram, b, {"nx", "ny", "nz", "fx", "fy", "fz"});
+  std::vector<Expression> wrenches;
+  for (int r = 0; r < rows.size(); ++r) {
+    Expression g = solved.front()[at(r)];
+    for (int k = 0; k < kBase; ++k) g += solved[at(1 + k)][at(r)] * y[at(k)];
+    wrenches.push_back(roots[at(r)] * g);
   }
   subtract(trace, transposed_times(rows, wrenches), tau, forces.base_wrench);
   trace.output("tau", Role::joint_force, tau);

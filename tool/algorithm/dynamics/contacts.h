@@ -111,6 +111,17 @@ symbolic::Program constrained_inverse_dynamics(
     Loads loads,
     const Formulation& formulation = {});
 
+// The same with the smallest sum of torque_weights tau^2 + f^2 / weights (Righetti, Buchli, Mistry, Kalakrishnan,
+// Schaal: Optimal distribution of contact forces with inverse-dynamics control, IJRR 2013); `torque_weights` is by
+// coordinate. Without them it is constrained_inverse_dynamics: q, qd, qdd, base_velocity, base_acceleration, weights,
+// torque_weights, regularization -> tau, contact_wrenches, base_wrench.
+symbolic::Program minimum_torque_inverse_dynamics(
+    const model::KinematicTree& tree,
+    const ContactFrames& contacts,
+    const std::string& name,
+    Loads loads,
+    const Formulation& formulation = {});
+
 // The contact frames as a task (Khatib 1987): q, active, compliance -> inertia = W^-1, inverse = H^-1 J^T W^-1
 // (dynamically consistent), projector = 1 - inverse J. Rows of frames that are not active are zero.
 symbolic::Program operational_space(

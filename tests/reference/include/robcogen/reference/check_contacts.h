@@ -242,6 +242,38 @@ class ContactCheck {
                                              {r},
                                              c_.sample.gravity.values()}),
         stacked(stacked(left.head(n), f), left.tail(6)));
+    smallest_torque(needed, weights, r);
+  }
+
+  // (1 / weights + J_q U J_q^T) f = J_q U tau + J_b y, J_b^T f + r y = the wrench on the base.
+  void smallest_torque(const Vector<Real>& needed, const Values& weights, double r) {
+    const Motion<double>& m = c_.sample.motion;
+    const int n = c_.robot.dof();
+    const Values torque_weights = random(n, 0, 2);
+    const Matrix<Real> J_b = J_.block(0, 0, rows_, 6), J_q = J_.block(0, 6, rows_, n);
+    Matrix<Real> costly = J_q;
+    for (int i = 0; i < rows_; ++i)
+      for (int k = 0; k < n; ++k) costly(i, k) *= Real(torque_weights[static_cast<std::size_t>(k)]);
+    Matrix<Real> M = costly * transpose(J_q);
+    for (int i = 0; i < rows_; ++i) M(i, i) += Real(1) / Real(weights[static_cast<std::size_t>(i)]);
+    const Vector<Real> of_torque = solve(M, costly * needed.tail(n));
+    const Matrix<Real> of_base = solve(M, J_b);
+    const Matrix<Real> K = transpose(J_b) * of_base + Real(r) * Matrix<Real>::identity(6);
+    const Vector<Real> f = of_torque + of_base * solve(K, needed.head(6) - transpose(J_b) * of_torque);
+    const Vector<Real> left = joints_first(needed - transpose(J_) * f);
+    record(
+        "minimum_torque_inverse_dynamics",
+        call(
+            "minimum_torque_inverse_dynamics", {m.q.values(),
+                                                m.qd.values(),
+                                                m.qdd.values(),
+                                                base_velocity(),
+                                                base_acceleration(),
+                                                weights,
+                                                torque_weights,
+                                                {r},
+                                                c_.sample.gravity.values()}),
+        stacked(stacked(left.head(n), f), left.tail(6)));
   }
 
   void operational_space() {
