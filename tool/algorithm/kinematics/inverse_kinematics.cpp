@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "algorithm/kinematics/inverse/calibration.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 #include "algorithm/kinematics/inverse/words.h"
 #include "algorithm/spatial/trace.h"
@@ -90,7 +91,14 @@ class Inversion {
     return inversion::branches(trace.graph, s, chain, found.plan->steps, known, signs);
   }
 
-  Expression misfit(const Branch& branch) {
+  // Completes a branch: returns its misfit, after Newton steps if the chain is calibrated.
+  Expression finish(Branch& branch) {
+    if (found.calibration) {
+      const inversion::NewtonSteps newton(trace.graph, found.calibration->chain, target);
+      inversion::RefinedBranch refined = inversion::refined(*found.calibration, newton, branch.values);
+      branch.values = std::move(refined.values);
+      return refined.misfit;
+    }
     trace.graph.begin_section("pose of the branch", "end");
     const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
     return inversion::misfit(trace.graph, {trace.graph, chain, target}, closure, branch.values);
@@ -145,7 +153,8 @@ InverseKinematicsSize inverse_kinematics_size(
   if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
   const std::optional<Plan>& plan = found.plan;
   if (!plan) return {};
-  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0};
+  const int steps = found.calibration ? found.calibration->steps : 0;
+  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0, steps};
 }
 
 Program inverse_kinematics(
@@ -160,14 +169,15 @@ Program inverse_kinematics(
   inversion.reference_input();
   std::vector<Expression> misfit, determinant;
   Columns sines, cosines;
-  for (const Branch& branch : inversion.branches(nullptr)) {
+  for (Branch& branch : inversion.branches(nullptr)) {
+    const Expression of_branch = inversion.finish(branch);
     std::vector<Expression>&s = sines.emplace_back(), &c = cosines.emplace_back();
     for (int k = 0; k < inversion.chain.joints; ++k) {
       if (inversion.chain.is_parametric(k)) continue;
       s.push_back(branch.values[at(k)]->sine);
       c.push_back(inversion.chain.axis(k).turns ? branch.values[at(k)]->cosine : Expression());
     }
-    misfit.push_back(inversion.misfit(branch));
+    misfit.push_back(of_branch);
     determinant.push_back(inversion.determinant(branch));
   }
   const auto rows = static_cast<int>(sines.front().size());
@@ -189,7 +199,10 @@ Program inverse_kinematics_branch(
   inversion.swivel_input();
   const std::vector<Expression> signs = trace.input("signs", Role::value, sign_names(inversion.found));
   inversion.reference_input();
-  const Branch branch = inversion.branches(&signs).front();
+  Branch branch = inversion.branches(&signs).front();
+  const bool is_calibrated = inversion.found.calibration != nullptr;
+  Expression misfit;
+  if (is_calibrated) misfit = inversion.finish(branch);
   trace.section("q", "positions");
   std::vector<Expression> q = inversion.reference;
   for (int k = 0; k < inversion.chain.joints; ++k) {
@@ -198,7 +211,8 @@ Program inverse_kinematics_branch(
     q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
   }
   trace.output("q", Role::joint_position, trace.positions(q));
-  trace.output("misfit", Role::residual, std::vector<Expression>{inversion.misfit(branch)});
+  if (!is_calibrated) misfit = inversion.finish(branch);
+  trace.output("misfit", Role::residual, std::vector<Expression>{misfit});
   trace.output("determinant", Role::residual, std::vector<Expression>{inversion.determinant(branch)});
   return trace.program(name);
 }
@@ -246,6 +260,7 @@ std::vector<std::string> inverse_kinematics_steps(
   if (found.swivel) return found.swivel->lines();
   std::vector<std::string> lines;
   for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
+  if (found.calibration) lines.push_back(describe(*found.calibration));
   return lines;
 }
 
@@ -258,6 +273,14 @@ InverseKinematicsReport report_inverse_kinematics(
   const inversion::Search& search = inversion::search(tree, frames, task);
   if (task.given >= 0 && search.chain.given < 0)
     return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
+  const inversion::Search* nominal = nullptr;
+  if (!search.plan && !task.by_swivel && task.tolerance == 0.0)
+    for (const double tolerance : {1e-3, 1e-2}) {
+      InverseTask other = task;
+      other.tolerance = tolerance;
+      nominal = &inversion::search(tree, frames, other);
+      if (nominal->plan) break;
+    }
   std::vector<std::string> arguments;
   if (!search.plan && !task.by_swivel && task.given < 0) {
     InverseTask other = task;
@@ -270,7 +293,7 @@ InverseKinematicsReport report_inverse_kinematics(
     other.by_swivel = true;
     if (inversion::search(tree, frames, other).swivel) arguments.emplace_back("'swivel'");
   }
-  inversion::Explanation explanation = explain(search, arguments);
+  inversion::Explanation explanation = explain(search, arguments, nominal);
   return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithm/kinematics/inverse/arrangements.h"
+#include "algorithm/kinematics/inverse/calibration.h"
 #include "algorithm/kinematics/inverse/laboratory.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 
@@ -324,7 +325,7 @@ std::optional<Measured> best_order(const SerialChain& chain, Known& found) {
 std::vector<double> numbers_of(const SerialChain& chain) {
   std::vector<double> numbers = {
       static_cast<double>(chain.joints), static_cast<double>(chain.given), static_cast<double>(chain.task.kind),
-      chain.task.by_swivel ? 1.0 : 0.0};
+      chain.task.by_swivel ? 1.0 : 0.0, chain.task.tolerance};
   const auto add = [&](const Numbers3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
   for (const ChainAxis& axis : chain.axes) {
     numbers.push_back(axis.turns ? 1.0 : 0.0);
@@ -335,6 +336,23 @@ std::vector<double> numbers_of(const SerialChain& chain) {
   for (const Numbers3& column : chain.rotation) add(column);
   add(chain.position);
   return numbers;
+}
+
+Search search_exact(const SerialChain& chain) {
+  Search result{{}, chain, {}};
+  std::optional<Measured> best;
+  for (const SerialChain& arranged : arrangements(chain)) {
+    Known found;
+    std::optional<Measured> here = best_order(arranged, found);
+    if (best && (!here || best->measure <= here->measure)) continue;
+    best = std::move(here);
+    result.chain = arranged;
+    result.found = std::move(found);
+  }
+  // Lengths that differ for few targets out of reach only are found by more of them.
+  constexpr int kManyRounds = 500;
+  if (best) result.plan = Trial(result.chain, std::move(best->steps), kManyRounds).plan();
+  return result;
 }
 
 }  // namespace
@@ -377,24 +395,19 @@ std::vector<Branch> branches(
 }
 
 Search search(const SerialChain& chain) {
-  Search result{{}, chain, {}};
   if (chain.task.by_swivel) {
+    Search result{{}, chain, {}};
     if (std::optional<SwivelPlan> plan = swivel_plan(chain))
       result.swivel = std::make_shared<const SwivelPlan>(*std::move(plan));
     return result;
   }
-  std::optional<Measured> best;
-  for (const SerialChain& arranged : arrangements(chain)) {
-    Known found;
-    std::optional<Measured> here = best_order(arranged, found);
-    if (best && (!here || best->measure <= here->measure)) continue;
-    best = std::move(here);
-    result.chain = arranged;
-    result.found = std::move(found);
-  }
-  // Lengths that differ for few targets out of reach only are found by more of them.
-  constexpr int kManyRounds = 500;
-  if (best) result.plan = Trial(result.chain, std::move(best->steps), kManyRounds).plan();
+  Search exact = search_exact(chain);
+  if (exact.plan || chain.task.tolerance == 0.0) return exact;
+  const NominalChain nominal = nominal_chain(chain, chain.task.tolerance);
+  if (!nominal.differs()) return exact;
+  Search result = search_exact(nominal.chain);
+  if (!result.plan) return exact;
+  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, *result.plan));
   return result;
 }
 

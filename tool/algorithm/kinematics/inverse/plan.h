@@ -24,16 +24,19 @@ struct Plan {
   int branches() const { return 1 << roots(); }
 };
 
-struct SwivelPlan;  // swivel.h
+struct SwivelPlan;   // swivel.h
+struct Calibration;  // calibration.h
 
 struct Search {
   std::optional<Plan> plan;
   SerialChain chain;
   Known found;                                    // the joints that are found, if not all are
   std::shared_ptr<const SwivelPlan> swivel = {};  // instead of a plan, if the task takes the swivel angle
+  std::shared_ptr<const Calibration> calibration = {};  // of a plan for a nominal chain, which `chain` is then
 };
 
-// The cheapest of the most accurate plans that the search finds. It is the same on all machines.
+// The cheapest of the most accurate plans that the search finds. It is the same on all machines. If there is none, and
+// the task has a tolerance, that of the nominal chain.
 Search search(const SerialChain& chain);
 
 // The same for the chain of frames without obstacle; searched once for all calls with the same numbers.
