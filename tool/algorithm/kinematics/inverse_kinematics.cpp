@@ -136,7 +136,13 @@ class Inversion {
   }
 
   inversion::StepSolver solver() {
-    return {trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>()};
+    return {
+        trace.graph,
+        chain,
+        target,
+        references(),
+        found.plan ? found.plan->lengths_agree : std::vector<bool>(),
+        found.calibration ? found.calibration->margin : 0.0};
   }
 };
 

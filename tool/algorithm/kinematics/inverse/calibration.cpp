@@ -43,7 +43,7 @@ std::vector<double> shares(const Calibration& calibration, const Plan& plan) {
   constexpr double kSamePose = 1e-9, kSamePosition = 1e-6;
   constexpr int kRounds = 40;
   Laboratory lab(plan.chain);
-  StepSolver solver(lab.graph, plan.chain, lab.target, lab.references, plan.lengths_agree);
+  StepSolver solver(lab.graph, plan.chain, lab.target, lab.references, plan.lengths_agree, calibration.margin);
   const NewtonSteps newton(lab.graph, calibration.chain, lab.target);
   std::vector<std::vector<RefinedBranch>> after;  // by number of steps and branch; values by joint of the chain
   for (const Branch& branch : branches(lab.graph, solver, plan.chain, plan.steps, lab.known())) {
@@ -93,6 +93,8 @@ std::vector<double> shares(const Calibration& calibration, const Plan& plan) {
 Calibration calibration(const SerialChain& chain, const NominalChain& nominal, const Plan& plan) {
   constexpr double kWorthAStep = 0.01;
   Calibration result{chain, places_of(chain, plan.chain), nominal.angle, nominal.distance};
+  // About as much as the discriminants of the nominal chain are off.
+  result.margin = 2.0 * std::max(nominal.angle, nominal.distance * kSameDirection / chain.same_point);
   const std::vector<double> found = shares(result, plan);
   std::size_t best = 0;
   while (best + 1 < found.size() && found[best + 1] > found[best] + kWorthAStep) ++best;

@@ -14,6 +14,7 @@ struct Calibration {
   SerialChain chain;                   // as it is
   std::vector<int> places;             // of its joints in the chain of the plan
   double angle = 0.0, distance = 0.0;  // the largest differences between its axes and nominal ones (rad, m)
+  double margin = 0.0;                 // of discriminants (step_solver.h)
   int steps = 0;                       // more of them would hardly find more positions
   double share = 0.0;                  // of random positions that a branch has after these steps
 };

@@ -209,11 +209,10 @@ std::vector<NewtonSteps::Column> NewtonSteps::jacobian(const Posture& posture, c
 }
 
 JointValues NewtonSteps::step(const JointValues& values) const {
-  // The step is at most half of the error divided by the root of the damping, in any direction: half a radian, far from
-  // the target. Near it, the damping vanishes, but for what keeps pivots positive.
-  constexpr double kLeastDamping = 0x1p-40;
-  // Steps are shorter than this (rad, m) in single precision too, where rounding exceeds the damping.
-  constexpr double kLongest = 0.25;
+  // The damping vanishes near the target, as the square of the error, but for what keeps pivots positive.
+  constexpr double kLeastDamping = 0x1p-40, kDampingPerError = 1.0 / 64.0;
+  // Steps are shorter than this (rad, m).
+  constexpr double kLongest = 0.5;
   graph_.begin_section("Newton step: pose", "step");
   const Posture here = posture(values);
   const Missing missing_motion = missing(here);
@@ -221,7 +220,7 @@ JointValues NewtonSteps::step(const JointValues& values) const {
   const std::vector<Column> J = jacobian(here, missing_motion);
   const Vector3 &r = missing_motion.rotation, &d = missing_motion.displacement;
   const Expression rotation_square = dot(r, r), error_square = rotation_square + dot(d, d);
-  const Expression damping = graph_.constant(kLeastDamping) + error_square;
+  const Expression damping = graph_.constant(kLeastDamping) + graph_.constant(kDampingPerError) * error_square;
   const auto n = static_cast<int>(J.size());
   SquareMatrix N(n);
   std::vector<Expression> b;

@@ -34,8 +34,11 @@ void move(NumberPose& here, const PrimitiveTransform& primitive) {
   }
   // Exact for multiples of a quarter turn.
   const SineCosine angle = {model::evaluate(sin(primitive.amount)), model::evaluate(cos(primitive.amount))};
-  const Numbers3 h = here.rotation[axis];
-  for (Numbers3& column : here.rotation) column = turned(column, h, angle);
+  // Only the columns across the axis: otherwise, each rotation triples the error of its length.
+  Numbers3 &a = here.rotation[(axis + 1) % 3], &b = here.rotation[(axis + 2) % 3];
+  const Numbers3 last = a;
+  a = angle.cosine * a + angle.sine * b;
+  b = angle.cosine * b - angle.sine * last;
 }
 
 bool depends_on_parameters(const PrimitiveTransform& primitive) {
