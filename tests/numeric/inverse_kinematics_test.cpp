@@ -430,11 +430,26 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
   EXPECT_FALSE(report.has_closed_form);
   EXPECT_NE(report.reason.find("the axis of J6 misses that of J5 by 67 um"), std::string::npos) << report.reason;
 
+  // The nominal chain of one that is slightly off.
+  EXPECT_NE(report.hint.find("'tolerance = 0.001'"), std::string::npos) << report.hint;
+  wrist.tolerance = 1e-3;
+  report = report_of(wrist);
+  EXPECT_TRUE(report.has_closed_form);
+  EXPECT_EQ(report.reason.find("8 branches of a nominal chain, from which axes differ by up to "), 0U) << report.reason;
+  wrist.tolerance = 1e-5;
+  EXPECT_FALSE(report_of(wrist).has_closed_form);
+  EXPECT_NE(report_of(calibrated_chains()[2]).reason.find("nominal chain"), std::string::npos);
+
   Chain redundant = known[9];
   redundant.given = -1;
   report = report_of(redundant);
   EXPECT_EQ(report.reason, "7 joints for 6 coordinates");
   EXPECT_EQ(report.hint, "closed forms exist with 'given J4' and 'given J7'");
+  Chain off = calibrated(redundant, 1e-4, 3);
+  off.tolerance = 0.0;
+  EXPECT_EQ(
+      report_of(off).hint,
+      "closed forms exist with 'given J4, tolerance = 0.001' and 'given J7, tolerance = 0.001'");
   redundant.by_swivel = true;
   report = report_of(redundant);
   EXPECT_FALSE(report.has_closed_form);

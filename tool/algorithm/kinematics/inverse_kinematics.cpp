@@ -1,5 +1,6 @@
 #include "algorithm/kinematics/inverse_kinematics.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "algorithm/kinematics/inverse/swivel.h"
 #include "algorithm/kinematics/inverse/words.h"
 #include "algorithm/spatial/trace.h"
+#include "support/number.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -146,6 +148,27 @@ class Inversion {
   }
 };
 
+// Of calibrated arms (rad, m).
+constexpr double kUsualTolerance = 1e-3;
+
+// Words for the joints with which the chain has a closed form, if their positions are arguments.
+std::vector<std::string> given_joints(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    InverseTask task,
+    const inversion::SerialChain& chain) {
+  std::vector<std::string> words;
+  for (int k = 0; k < chain.joints; ++k) {
+    if (chain.is_parametric(k)) continue;
+    task.given = chain.axis(k).joint;
+    const inversion::Search& found = inversion::search(tree, frames, task);
+    if (!found.plan) continue;
+    const std::string tolerance = found.calibration ? ", tolerance = " + print_double(task.tolerance) : "";
+    words.push_back("'given " + chain.axis(k).name + tolerance + "'");
+  }
+  return words;
+}
+
 }  // namespace
 
 InverseKinematicsSize inverse_kinematics_size(
@@ -280,24 +303,23 @@ InverseKinematicsReport report_inverse_kinematics(
   if (task.given >= 0 && search.chain.given < 0)
     return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
   const inversion::Search* nominal = nullptr;
-  if (!search.plan && !task.by_swivel && task.tolerance == 0.0)
-    for (const double tolerance : {1e-3, 1e-2}) {
-      InverseTask other = task;
-      other.tolerance = tolerance;
-      nominal = &inversion::search(tree, frames, other);
-      if (nominal->plan) break;
-    }
+  for (const double tolerance : {kUsualTolerance, 10.0 * kUsualTolerance}) {
+    if (search.plan || task.by_swivel || (nominal && nominal->plan) || tolerance <= task.tolerance) continue;
+    InverseTask other = task;
+    other.tolerance = tolerance;
+    nominal = &inversion::search(tree, frames, other);
+  }
   std::vector<std::string> arguments;
   if (!search.plan && !task.by_swivel && task.given < 0) {
+    arguments = given_joints(tree, frames, task, search.chain);
     InverseTask other = task;
-    for (int k = 0; k < search.chain.joints; ++k) {
-      if (search.chain.is_parametric(k)) continue;
-      other.given = search.chain.axis(k).joint;
-      if (inversion::search(tree, frames, other).plan) arguments.push_back("'given " + search.chain.axis(k).name + "'");
-    }
-    other = task;
     other.by_swivel = true;
     if (inversion::search(tree, frames, other).swivel) arguments.emplace_back("'swivel'");
+    other = task;
+    other.tolerance = std::max(task.tolerance, kUsualTolerance);
+    constexpr int kCoordinates = 6;
+    if (arguments.empty() && search.chain.joints > kCoordinates)
+      arguments = given_joints(tree, frames, other, search.chain);
   }
   inversion::Explanation explanation = explain(search, arguments, nominal);
   return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};

@@ -338,20 +338,13 @@ std::vector<double> numbers_of(const SerialChain& chain) {
   return numbers;
 }
 
-Search search_exact(const SerialChain& chain) {
-  Search result{{}, chain, {}};
-  std::optional<Measured> best;
-  for (const SerialChain& arranged : arrangements(chain)) {
-    Known found;
-    std::optional<Measured> here = best_order(arranged, found);
-    if (best && (!here || best->measure <= here->measure)) continue;
-    best = std::move(here);
-    result.chain = arranged;
-    result.found = std::move(found);
-  }
-  // Lengths that differ for few targets out of reach only are found by more of them.
-  constexpr int kManyRounds = 500;
-  if (best) result.plan = Trial(result.chain, std::move(best->steps), kManyRounds).plan();
+// Of the nominal chain of one without a plan; nullopt if that has none either, or there is no other.
+std::optional<Search> search_nominal(const SerialChain& chain) {
+  const NominalChain nominal = nominal_chain(chain, chain.task.tolerance);
+  if (!nominal.differs()) return std::nullopt;
+  Search result = search(nominal.chain);
+  if (!result.plan) return std::nullopt;
+  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, *result.plan));
   return result;
 }
 
@@ -395,31 +388,43 @@ std::vector<Branch> branches(
 }
 
 Search search(const SerialChain& chain) {
+  Search result{{}, chain, {}};
   if (chain.task.by_swivel) {
-    Search result{{}, chain, {}};
     if (std::optional<SwivelPlan> plan = swivel_plan(chain))
       result.swivel = std::make_shared<const SwivelPlan>(*std::move(plan));
     return result;
   }
-  Search exact = search_exact(chain);
-  if (exact.plan || chain.task.tolerance == 0.0) return exact;
-  const NominalChain nominal = nominal_chain(chain, chain.task.tolerance);
-  if (!nominal.differs()) return exact;
-  Search result = search_exact(nominal.chain);
-  if (!result.plan) return exact;
-  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, *result.plan));
+  std::optional<Measured> best;
+  for (const SerialChain& arranged : arrangements(chain)) {
+    Known found;
+    std::optional<Measured> here = best_order(arranged, found);
+    if (best && (!here || best->measure <= here->measure)) continue;
+    best = std::move(here);
+    result.chain = arranged;
+    result.found = std::move(found);
+  }
+  // Lengths that differ for few targets out of reach only are found by more of them.
+  constexpr int kManyRounds = 500;
+  if (best) result.plan = Trial(result.chain, std::move(best->steps), kManyRounds).plan();
   return result;
 }
 
 const Search& search(const model::KinematicTree& tree, const model::FramePair& frames, const model::InverseTask& task) {
   static std::mutex mutex;
   static std::map<std::pair<std::vector<double>, std::string>, std::unique_ptr<const Search>> known;
+  const Search* exact = nullptr;
+  if (task.tolerance > 0.0) {
+    model::InverseTask other = task;
+    other.tolerance = 0.0;
+    exact = &search(tree, frames, other);
+    if (exact->plan || exact->swivel) return *exact;
+  }
   const SerialChain chain = serial_chain(tree, frames, task);
   std::string joints;
   for (const ChainAxis& axis : chain.axes) joints += std::to_string(axis.joint) + " " + axis.name + " ";
   const std::scoped_lock lock(mutex);
   std::unique_ptr<const Search>& found = known[{numbers_of(chain), joints}];
-  if (!found) found = std::make_unique<const Search>(search(chain));
+  if (!found) found = std::make_unique<const Search>(exact ? search_nominal(chain).value_or(*exact) : search(chain));
   return *found;
 }
 

@@ -35,11 +35,11 @@ struct Search {
   std::shared_ptr<const Calibration> calibration = {};  // of a plan for a nominal chain, which `chain` is then
 };
 
-// The cheapest of the most accurate plans that the search finds. It is the same on all machines. If there is none, and
-// the task has a tolerance, that of the nominal chain.
+// The cheapest of the most accurate plans that the search finds. It is the same on all machines.
 Search search(const SerialChain& chain);
 
-// The same for the chain of frames without obstacle; searched once for all calls with the same numbers.
+// The same for the chain of frames without obstacle, or for its nominal chain if it has no plan and the task has a
+// tolerance; searched once for all calls with the same numbers.
 const Search& search(const model::KinematicTree& tree, const model::FramePair& frames, const model::InverseTask& task);
 
 struct Branch {

@@ -67,7 +67,8 @@ std::string near_misses(const SerialChain& chain) {
 
 // `3e-4 rad and 0.2 mm`
 std::string difference(const Calibration& c) {
-  return fmt::format("{:.2g} rad and {}", c.angle, length(c.distance));
+  const std::string angle = fmt::format("{:.2g} rad", c.angle);
+  return c.distance > c.chain.same_point ? angle + " and " + length(c.distance) : angle;
 }
 
 }  // namespace
@@ -128,8 +129,8 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     return {
         fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
         fmt::format(
-            "add 'tolerance = {}' for a calibrated chain: within {} it has one, with Newton steps behind it; or "
-            "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF",
+            "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton steps "
+            "follow; otherwise round the numbers of the model: --snap-angles for URDF",
             print_double(nominal->chain.task.tolerance), difference(*nominal->calibration))};
   if (!misses.empty()) hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";
   return {fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses), hint};
