@@ -40,8 +40,8 @@ TEST(Calibrated, BranchesHaveThePoseOfTheArmItself) {
     Eigen::Matrix4d X = pose(q);
     const auto branches = arm::inverse_kinematics::fr_base_X_fr_tool(X, q);
     for (int branch = 0; branch < 8; ++branch) {
-      const Joints at = branch_positions(
-          branches, arm::inverse_kinematics::fr_base_X_fr_tool_joints, arm::kJointTypes, branch, q);
+      const Joints at =
+          branch_positions(branches, arm::inverse_kinematics::fr_base_X_fr_tool_joints, arm::kJointTypes, branch, q);
       ASSERT_LT((pose(at) - X).cwiseAbs().maxCoeff(), branches.misfit[branch] + kRounding);
     }
     const auto best = nearest(branches, q);

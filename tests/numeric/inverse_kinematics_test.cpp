@@ -448,8 +448,7 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
   Chain off = calibrated(redundant, 1e-4, 3);
   off.tolerance = 0.0;
   EXPECT_EQ(
-      report_of(off).hint,
-      "closed forms exist with 'given J4, tolerance = 0.001' and 'given J7, tolerance = 0.001'");
+      report_of(off).hint, "closed forms exist with 'given J4, tolerance = 0.001' and 'given J7, tolerance = 0.001'");
   redundant.by_swivel = true;
   report = report_of(redundant);
   EXPECT_FALSE(report.has_closed_form);

@@ -117,8 +117,7 @@ bool same(const Contact& a, const Contact& b) {
 }
 
 bool same(const Inverse& a, const Inverse& b) {
-  return same(a.pair, b.pair) && a.task == b.task && a.given.text == b.given.text &&
-         a.tolerance == b.tolerance;
+  return same(a.pair, b.pair) && a.task == b.task && a.given.text == b.given.text && a.tolerance == b.tolerance;
 }
 
 bool same(const Loop& a, const Loop& b);

@@ -1,5 +1,5 @@
-// Chains whose axes are slightly off, so that no equation in one unknown holds exactly: the plan of a nominal chain, and
-// Newton steps on the chain itself.
+// Chains whose axes are slightly off, so that no equation in one unknown holds exactly: the plan of a nominal chain,
+// and Newton steps on the chain itself.
 #pragma once
 
 #include <vector>

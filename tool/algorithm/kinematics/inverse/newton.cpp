@@ -126,8 +126,7 @@ NewtonSteps::NewtonSteps(Graph& graph, const SerialChain& chain, const Target& t
   if (chain.task.kind == Task::axis) return;
   NumberMatrix turn{};  // from the last frame to the tool
   for (std::size_t i = 0; i < 3; ++i) turn[i] = frame.seen(chain.rotation[i]);
-  for (std::size_t j = 0; j < 3; ++j)
-    columns_[j] = combined(tool, constant({turn[0][j], turn[1][j], turn[2][j]}));
+  for (std::size_t j = 0; j < 3; ++j) columns_[j] = combined(tool, constant({turn[0][j], turn[1][j], turn[2][j]}));
   origin_ = point_ - combined(columns_, constant(tool_point_));
 }
 
@@ -180,8 +179,7 @@ NewtonSteps::Missing NewtonSteps::missing(const Posture& posture) const {
     result.displacement = origin_ - posture.origin;
     return result;
   }
-  if (chain_.task.kind == Task::axis)
-    result.rotation = cross(combined(posture.columns, constant(tool_axis_)), axis_);
+  if (chain_.task.kind == Task::axis) result.rotation = cross(combined(posture.columns, constant(tool_axis_)), axis_);
   result.point = posture.origin + combined(posture.columns, constant(tool_point_));
   result.displacement = point_ - result.point;
   return result;

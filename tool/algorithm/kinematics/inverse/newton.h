@@ -21,7 +21,8 @@ class NewtonSteps {
 
  private:
   // The frame of a joint has its z axis on that of the joint. With the joint it turns by a constant angle about z, so
-  // that its x axis becomes perpendicular to the next axis too; then it is displaced, and turned about x onto that axis.
+  // that its x axis becomes perpendicular to the next axis too; then it is displaced, and turned about x onto that
+  // axis.
   struct Link {
     double sine = 0.0, cosine = 1.0;            // of the angle about z
     Numbers3 displacement{};                    // in the frame that has turned by it

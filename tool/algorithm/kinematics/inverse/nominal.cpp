@@ -42,8 +42,7 @@ class Nominal {
     placed.direction = folded(direction);
     placed.point = without_rounding(exact_, anchor_ - dot(placed.direction, anchor_) * placed.direction);
     result_.angle = std::max(result_.angle, norm(cross(axis.direction, direction)));
-    if (axis.turns)
-      result_.distance = std::max(result_.distance, norm(cross(anchor_ - axis.point, axis.direction)));
+    if (axis.turns) result_.distance = std::max(result_.distance, norm(cross(anchor_ - axis.point, axis.direction)));
   }
 
   // The direction of a candidate, or its opposite, if it is near.

@@ -13,8 +13,8 @@ struct NominalChain {
   bool differs() const { return angle >= kSameDirection || distance > chain.same_point; }
 };
 
-// Each axis in turn is made parallel to the axis before it or perpendicular to it, and to meet it, or the point in which
-// axes before it meet, where it is off by less than the tolerance (rad, and m per metre of reach).
+// Each axis in turn is made parallel to the axis before it or perpendicular to it, and to meet it, or the point in
+// which axes before it meet, where it is off by less than the tolerance (rad, and m per metre of reach).
 NominalChain nominal_chain(const SerialChain& chain, double tolerance);
 
 }  // namespace robcogen::algorithm::inversion

@@ -30,8 +30,8 @@ struct Calibration;  // calibration.h
 struct Search {
   std::optional<Plan> plan;
   SerialChain chain;
-  Known found;                                    // the joints that are found, if not all are
-  std::shared_ptr<const SwivelPlan> swivel = {};  // instead of a plan, if the task takes the swivel angle
+  Known found;                                          // the joints that are found, if not all are
+  std::shared_ptr<const SwivelPlan> swivel = {};        // instead of a plan, if the task takes the swivel angle
   std::shared_ptr<const Calibration> calibration = {};  // of a plan for a nominal chain, which `chain` is then
 };
 

@@ -17,8 +17,8 @@ class StepSolver {
  public:
   // `references`: positions by joint of the chain, for joints that have no effect. `lengths_agree`, by joint: whether
   // the vectors of a vector step have equal lengths across the axis, whatever the target. `margin`: discriminants,
-  // relative to their largest values, are at least half of this. Roots of a nominal chain are not then where two of them
-  // meet, where Newton steps towards those of the chain itself have no direction.
+  // relative to their largest values, are at least half of this. Roots of a nominal chain are not then where two of
+  // them meet, where Newton steps towards those of the chain itself have no direction.
   StepSolver(
       Graph& graph,
       const SerialChain& chain,

@@ -129,7 +129,8 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     return {
         fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
         fmt::format(
-            "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton steps "
+            "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton "
+            "steps "
             "follow; otherwise round the numbers of the model: --snap-angles for URDF",
             print_double(nominal->chain.task.tolerance), difference(*nominal->calibration))};
   if (!misses.empty()) hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";

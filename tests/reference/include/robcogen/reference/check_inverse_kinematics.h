@@ -101,8 +101,8 @@ class InverseKinematicsCheck {
     return largest;
   }
 
-  // Newton steps on a chain that is slightly off miss positions in which it is almost singular: where a pivot of J^T J is
-  // small.
+  // Newton steps on a chain that is slightly off miss positions in which it is almost singular: where a pivot of J^T J
+  // is small.
   bool may_be_missed() const {
     if (chain_.tolerance == 0) return false;
     constexpr double kLeastPivot = 20;  // per tolerance
