@@ -44,10 +44,11 @@
 #       [CONTACTS frame[:point|:surface]…]
 #                                   # frames in contact with a fixed environment, for functions of contacts: three rows for
 #                                   # a point, six for a surface. Without ALGORITHMS, the default groups and `contacts`
-#       [INVERSE_KINEMATICS left:right[:point|:axis|:swivel|:given=joint]…]
+#       [INVERSE_KINEMATICS left:right[:point|:axis|:swivel|:given=joint][:tolerance=number]…]
 #                                   # joint positions for the pose of frame right in frame left, in closed form; for the
 #                                   # position of its origin, for that and its z axis, or with one joint or the
-#                                   # swivel angle given. Without ALGORITHMS, the default groups and `inverse_kinematics`
+#                                   # swivel angle given. With a tolerance (1e-3), axes may be off those of a chain with
+#                                   # a closed form. Without ALGORITHMS, the default groups and `inverse_kinematics`
 #       [BATCH]                     # each function also over many states at once, <hyl/batch.h>: compiling takes about
 #                                   # three times as long. On x86-64 (gcc, clang) for AVX-512 and for AVX2; a program
 #                                   # selects one level when it starts

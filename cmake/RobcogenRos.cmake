@@ -4,7 +4,7 @@
 #       ROBOT arm                   # a target that robcogen_add_robot made in C++
 #       [INTERFACES interface…]     # kinematics_interface, inverse_dynamics_solver, moveit: these, which must be found; without
 #                                   # it, those whose package is found
-#       [INVERSE_KINEMATICS left:right[:point|:axis|:swivel|:given=joint]…]
+#       [INVERSE_KINEMATICS left:right[:point|:axis|:swivel|:given=joint][:tolerance=number]…]
 #                                   # chains for moveit; without it, those of robcogen_add_robot. Needed if DESIRED lists them
 #       [PACKAGE name]              # without it, the name of the project
 #       [NO_INSTALL])               # neither the libraries nor their descriptions are installed
@@ -233,8 +233,8 @@ function(_robcogen_ros_solvers text names)
   set(structs "")
   set(list "")
   foreach(chain IN LISTS library_INVERSE_KINEMATICS)
-    if(NOT chain MATCHES "^([A-Za-z_][A-Za-z0-9_]*):([A-Za-z_][A-Za-z0-9_]*)(:(point|axis|swivel|given=([A-Za-z_][A-Za-z0-9_]*)))?$")
-      _robcogen_refuse("INVERSE_KINEMATICS: '${chain}' is not left:right, with :point, :axis, :swivel or :given=joint")
+    if(NOT chain MATCHES "^([A-Za-z_][A-Za-z0-9_]*):([A-Za-z_][A-Za-z0-9_]*)(:(point|axis|swivel|given=([A-Za-z_][A-Za-z0-9_]*)))?(:tolerance=[0-9.eE+-]+)?$")
+      _robcogen_refuse("INVERSE_KINEMATICS: '${chain}' is not left:right, with :point, :axis, :swivel or :given=joint, then :tolerance=1e-3")
     endif()
     set(left ${CMAKE_MATCH_1})
     set(right ${CMAKE_MATCH_2})

@@ -74,7 +74,8 @@ TEST(Desired, ReadsInverseKinematics) {
       found += i.pair.left.text + "_X_" + i.pair.right.text;
       found += i.task == Inverse::Task::point ? " point" : i.task == Inverse::Task::axis ? " axis" : "";
       found += i.task == Inverse::Task::swivel ? " swivel" : "";
-      found += (i.task == Inverse::Task::given ? " " + i.given.text : "") + ";";
+      found += i.task == Inverse::Task::given ? " " + i.given.text : "";
+      found += (i.tolerance ? " " + std::to_string(*i.tolerance) : "") + ";";
     }
     return found;
   };
@@ -84,7 +85,12 @@ TEST(Desired, ReadsInverseKinematics) {
       inverses("A <- B  point <- axis point  given <- A  swivel <- B, swivel"),
       "A_X_B;point_X_axis point;given_X_A;swivel_X_B swivel;");
   EXPECT_EQ(inverses(""), "");
+  EXPECT_EQ(
+      inverses("A <- B tolerance = 1e-3  A <- C, given J7, tolerance = 0.5  A -> tolerance, tolerance = -1"),
+      "A_X_B 0.001000;A_X_C J7 0.500000;tolerance_X_A -1.000000;");
   const std::string before = "Robot R Frames { } Transforms { } InverseKinematics ";
+  EXPECT_EQ(desired_codes(before + "{ A <- B tolerance = small }"), Codes{"unexpected-token"});
+  EXPECT_EQ(desired_codes(before + "{ A <- B tolerance = 1e-3 point }"), Codes{"unexpected-token"});
   EXPECT_EQ(desired_codes(before + "{ A <- B given }"), Codes{"unexpected-token"});
   EXPECT_EQ(desired_codes(before + "{ A <- B, C <- D }"), Codes{"unexpected-token"});
   EXPECT_EQ(desired_codes(before + "{ } InverseKinematics { }"), Codes{"duplicate-item"});
@@ -116,7 +122,7 @@ InverseKinematics {
     base = fr_base, target = ^base
     base = fr_base, target = hand, point
     base = fr_base, target = nozzle, axis
-    base = fr_base, target = tool, given J7
+    base = fr_base, target = tool, given J7, tolerance = 0.001
 }
 
 Functions {
@@ -129,7 +135,7 @@ TEST(Desired, PrintsTheCanonicalText) {
       print(read_desired("Model Leg Frames{fr_base ^base}Transforms{fr_base <- ^base fr_base->^base}\n"
                          "/* of a leg */ Jacobians{right=^base left=fr_base}Contacts{fr_base surface ^base}"
                          "InverseKinematics{fr_base <- ^base fr_base <- hand point  fr_base <- nozzle axis "
-                         "base=fr_base target=tool given J7}"
+                         "base=fr_base target=tool given J7 tolerance=1e-3}"
                          "Functions{control=bias_forces+jacobians::fr_base_J_tip}")),
       kList);
   EXPECT_EQ(print(read_desired(kList)), kList);

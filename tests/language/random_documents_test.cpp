@@ -354,6 +354,7 @@ desired::Inverse inverse() {
                  : flipped() ? Task::swivel
                              : Task::given;
   if (inverse.task == Task::given) inverse.given = frame_name();
+  if (flipped()) inverse.tolerance = flipped() ? 1e-3 : 0.05;
   return inverse;
 }
 

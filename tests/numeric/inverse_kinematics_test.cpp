@@ -31,6 +31,7 @@ struct Placed {
   char type;
   double x, y, z;
   int turn_x, turn_y, turn_z;
+  double off_x = 0, off_y = 0, off_z = 0;  // rad, added to them
 };
 
 struct Chain {
@@ -41,19 +42,23 @@ struct Chain {
   int given = -1;
   int branches = 8;
   bool by_swivel = false;
+  double tolerance = 0.0;
 };
 
 // `parameters`: lengths other than zero are parameters, whose names begin with this, instead of constants, and the
 // first joint is canted.
 std::string placement(const Placed& p, const std::string& parameters) {
-  const auto quarter = [](int turns) { return turns == 0 ? "0.0" : std::to_string(turns) + ".0 * PI / 2.0"; };
+  const auto quarter = [](int turns, double off) {
+    const std::string text = turns == 0 ? "0.0" : std::to_string(turns) + ".0 * PI / 2.0";
+    return off == 0.0 ? text : text + " + (" + std::to_string(off) + ")";
+  };
   const auto length = [&](const char* name, double value) {
     const bool is_constant = parameters.empty() || value == 0.0;
     return is_constant ? std::to_string(value) : parameters + name + "[" + std::to_string(value) + "]";
   };
-  const std::string cant = parameters == "l1_" && p.turn_x == 0 ? "cant[0.3]" : quarter(p.turn_x);
+  const std::string cant = parameters == "l1_" && p.turn_x == 0 ? "cant[0.3]" : quarter(p.turn_x, p.off_x);
   return "translation = (" + length("x", p.x) + ", " + length("y", p.y) + ", " + length("z", p.z) + ") rotation = (" +
-         cant + ", " + quarter(p.turn_y) + ", " + quarter(p.turn_z) + ")";
+         cant + ", " + quarter(p.turn_y, p.off_y) + ", " + quarter(p.turn_z, p.off_z) + ")";
 }
 
 KinematicTree tree_of(const Chain& chain, bool has_parameters = false) {
@@ -134,7 +139,7 @@ std::vector<Chain> chains(std::uint64_t seed) {
 Inverted inverted_chain(const Chain& chain, bool has_parameters = false) {
   KinematicTree tree = tree_of(chain, has_parameters);
   const model::FramePair frames = model::frame_pair(tree, "fr_base", "tool");
-  return {std::move(tree), frames, {chain.kind, chain.given, chain.by_swivel}};
+  return {std::move(tree), frames, {chain.kind, chain.given, chain.by_swivel, chain.tolerance}};
 }
 
 int poses() {
@@ -260,6 +265,68 @@ TEST(InverseKinematics, LengthsAreParameters) {
   }
 }
 
+// ---- Chains that are slightly off.
+
+// The chain with axes and tool off by up to this (rad, m).
+Chain calibrated(Chain chain, double off, std::uint64_t seed) {
+  Dice dice(seed);
+  const auto change = [&](Placed& p) {
+    for (double* x : {&p.x, &p.y, &p.z, &p.off_x, &p.off_y, &p.off_z}) *x += off * dice.between(-1.0, 1.0);
+  };
+  for (Placed& joint : chain.joints) change(joint);
+  change(chain.tool);
+  chain.tolerance = 10.0 * off;
+  return chain;
+}
+
+std::vector<Chain> calibrated_chains() {
+  const std::vector<Chain> known = chains(1);
+  std::vector<Chain> list;
+  // A wrist, parallel axes, a given joint, a leg to a point, an axis.
+  for (const std::size_t k : {0, 2, 9, 10, 13}) list.push_back(calibrated(known[k], 1e-4, k + 1));
+  return list;
+}
+
+// Newton steps behind the closed form of the nominal chain: the misfit of a branch is that of the chain itself, and few
+// positions are missed.
+TEST(InverseKinematics, CalibratedChainsHaveBranches) {
+  for (const Chain& chain : calibrated_chains()) {
+    SCOPED_TRACE(chain.name);
+    const Inverted inverted = inverted_chain(chain);
+    ASSERT_EQ(inverted.size().branches, chain.branches);
+    ASSERT_GE(inverted.size().newton_steps, 2);
+    Dice dice(12);
+    constexpr int kPoses = 60;
+    int found = 0, by_signs = 0;
+    for (int i = 0; i < kPoses; ++i) {
+      const Values q = random_positions(inverted, dice, false);
+      Matrix<double> target = inverted.pose(q);
+      bool is_found = false;
+      for (const Inverted::Branch& branch : inverted.branches(target, q)) {
+        EXPECT_LT(inverted.error(branch.q, target), branch.misfit + kRounding);
+        is_found = is_found || (branch.misfit < kExists && inverted.distance(branch.q, q) < 1e-6);
+      }
+      found += is_found ? 1 : 0;
+      const Inverted::Branch branch = inverted.branch(target, inverted.signs(q), q);
+      by_signs += branch.misfit < kExists && inverted.distance(branch.q, q) < 1e-6 ? 1 : 0;
+      for (int row = 0; row < 3; ++row) target(row, 3) += dice.between(-1.0, 1.0);
+      for (const Inverted::Branch& moved : inverted.branches(target, q)) {
+        for (const double position : moved.q) ASSERT_TRUE(std::isfinite(position));
+        EXPECT_LT(inverted.error(moved.q, target), moved.misfit + kRounding);
+      }
+    }
+    EXPECT_GE(found, kPoses * 9 / 10);
+    EXPECT_GE(by_signs, kPoses * 9 / 10);
+  }
+}
+
+// A tolerance does not change a chain that has a closed form.
+TEST(InverseKinematics, ExactChainsNeedNoTolerance) {
+  Chain chain = chains(1)[0];
+  chain.tolerance = 1e-3;
+  EXPECT_EQ(inverted_chain(chain).size().newton_steps, 0);
+}
+
 // ---- All solutions, by brute force: damped steps from random positions.
 
 std::vector<Values> solutions(
@@ -331,7 +398,7 @@ TEST(InverseKinematics, NoSolutionIsMissing) {
 algorithm::InverseKinematicsReport report_of(const Chain& chain) {
   const KinematicTree tree = tree_of(chain);
   return algorithm::report_inverse_kinematics(
-      tree, model::frame_pair(tree, "fr_base", "tool"), {chain.kind, chain.given, chain.by_swivel});
+      tree, model::frame_pair(tree, "fr_base", "tool"), {chain.kind, chain.given, chain.by_swivel, chain.tolerance});
 }
 
 TEST(InverseKinematics, SaysWhyThereIsNone) {
@@ -363,11 +430,25 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
   EXPECT_FALSE(report.has_closed_form);
   EXPECT_NE(report.reason.find("the axis of J6 misses that of J5 by 67 um"), std::string::npos) << report.reason;
 
+  // The nominal chain of one that is slightly off.
+  EXPECT_NE(report.hint.find("'tolerance = 0.001'"), std::string::npos) << report.hint;
+  wrist.tolerance = 1e-3;
+  report = report_of(wrist);
+  EXPECT_TRUE(report.has_closed_form);
+  EXPECT_EQ(report.reason.find("8 branches of a nominal chain, from which axes differ by up to "), 0U) << report.reason;
+  wrist.tolerance = 1e-5;
+  EXPECT_FALSE(report_of(wrist).has_closed_form);
+  EXPECT_NE(report_of(calibrated_chains()[2]).reason.find("nominal chain"), std::string::npos);
+
   Chain redundant = known[9];
   redundant.given = -1;
   report = report_of(redundant);
   EXPECT_EQ(report.reason, "7 joints for 6 coordinates");
   EXPECT_EQ(report.hint, "closed forms exist with 'given J4' and 'given J7'");
+  Chain off = calibrated(redundant, 1e-4, 3);
+  off.tolerance = 0.0;
+  EXPECT_EQ(
+      report_of(off).hint, "closed forms exist with 'given J4, tolerance = 0.001' and 'given J7, tolerance = 0.001'");
   redundant.by_swivel = true;
   report = report_of(redundant);
   EXPECT_FALSE(report.has_closed_form);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kUpper = 0.4, kLower = 0.3;
 
-enum class Fault { none, one_branch, other_sign, wrong_pose, reachable, ignores_signs, reads_inputs_twice };
+enum class Fault { none, one_branch, other_sign, wrong_pose, reachable, ignores_signs, reads_inputs_twice, stretched };
 
 // Two joints that turn about z and one that slides along it, to a point.
 struct Solution {
@@ -17,7 +17,9 @@ struct Solution {
 Solution solution(const double* p, double sign, Fault fault) {
   const double square = p[0] * p[0] + p[1] * p[1];
   const double cosine = (square - kUpper * kUpper - kLower * kLower) / (2 * kUpper * kLower);
-  const double c2 = std::min(1.0, std::max(-1.0, cosine)), s2 = sign * std::sqrt(1 - c2 * c2);
+  // `stretched`: solutions that are almost singular are missed.
+  const double most = fault == Fault::stretched ? 0.9 : 1;
+  const double c2 = std::min(most, std::max(-most, cosine)), s2 = sign * std::sqrt(1 - c2 * c2);
   const double along = kUpper + kLower * c2, across = kLower * s2, radius = std::sqrt(along * along + across * across);
   const double length = radius * std::sqrt(square);
   const double c1 = (along * p[0] + across * p[1]) / length, s1 = (along * p[1] - across * p[0]) / length;
@@ -50,8 +52,9 @@ void configuration(const double* in, double* out) noexcept {
   out[0] = (std::sin(in[1]) < 0) == (fault == Fault::other_sign) ? 1 : -1;
 }
 
+// Of a chain with this tolerance.
 template <Fault fault>
-std::string report() {
+std::string report(double tolerance = 0) {
   Tables tables("arm");
   tables.add_link("base", {});
   for (const char* link : {"upper", "lower", "tool"}) tables.add_link(link, body(1, {0.1, 0.2, 0.1}, {0.1, 0.1, 0.1}));
@@ -65,11 +68,11 @@ std::string report() {
       {"branch", {}, 7, 5, &branch<fault>},
       {"configuration", {}, 3, 1, &configuration<fault>}};
   static constexpr int kJoints[] = {0, 1, 2};
-  static constexpr reflection::InverseKinematics kChains[] = {
-      {"fr_base_X_fr_tool", reflection::InverseTask::position, 0, 1, kJoints, 3, 2, -1, 0, 1, 2, -1}};
+  const reflection::InverseKinematics chains[] = {
+      {"fr_base_X_fr_tool", reflection::InverseTask::position, 0, 1, kJoints, 3, 2, -1, 0, 1, 2, -1, tolerance}};
   Robot robot = tables.robot();
   robot.functions = {kFunctions, 3};
-  robot.inverse_kinematics = {kChains, 1};
+  robot.inverse_kinematics = {chains, 1};
   std::mt19937_64 engine(30);
   Checks checks;
   for (int i = 0; i < 10; ++i) {
@@ -86,6 +89,14 @@ void expect_found(const std::string& name) {
 
 TEST(Checks, PassInverseKinematics) {
   EXPECT_EQ(report<Fault::none>(), "");
+}
+
+// Positions that are almost singular may be missed, if there is a tolerance.
+TEST(Checks, KnowCalibratedChains) {
+  expect_found<Fault::stretched>("positions among all branches");
+  EXPECT_EQ(report<Fault::stretched>(1e-3), "");
+  expect_failures(report<Fault::one_branch>(1e-3), {"inverse_kinematics: positions among all branches"});
+  expect_failures(report<Fault::wrong_pose>(1e-3), {"inverse_kinematics: poses of all branches"});
 }
 
 TEST(Checks, FindMistakesInInverseKinematics) {

@@ -230,7 +230,7 @@ CLI::Option* declare_model(CLI::App& subcommand, ModelOptions& model) {
           "its "
           "z axis, or LEFT:RIGHT:given=JOINT or LEFT:RIGHT:swivel for a pose with a joint, or the swivel angle of an "
           "arm "
-          "of seven joints, as an argument")
+          "of seven joints, as an argument; then :tolerance=1e-3 if axes are slightly off, as those of calibrated arms")
       ->delimiter(',')
       ->allow_extra_args(false);
   subcommand

@@ -222,7 +222,13 @@ std::vector<import::NamedContact> named_contacts(const std::vector<std::string>&
   return contacts;
 }
 
-// `fr_base:fr_tool`, `fr_base:fr_foot:point`, `fr_base:fr_hand:given=J7`
+// The value of `tolerance=1e-3`; nullopt if it is not a number.
+std::optional<double> tolerance_of(const std::string& text) {
+  const std::optional<Number> number = Number::parse(text);
+  return number ? std::optional(number->value()) : std::nullopt;
+}
+
+// `fr_base:fr_tool`, `fr_base:fr_foot:point`, `fr_base:fr_hand:given=J7`, each with `:tolerance=1e-3`
 std::vector<import::NamedInverse> named_inverses(const std::vector<std::string>& words, Diagnostics& diagnostics) {
   const std::vector<Place> places = places_of("--inverse-kinematics", words);
   std::vector<import::NamedInverse> inverses;
@@ -234,14 +240,20 @@ std::vector<import::NamedInverse> named_inverses(const std::vector<std::string>&
     }
     import::NamedInverse inverse;
     inverse.place = places[k];
-    const std::string task = parts.size() > 2 ? parts[2] : "", given = "given=";
+    const std::string given = "given=", tolerance = "tolerance=";
+    const bool has_tolerance = parts.size() > 2 && parts.back().starts_with(tolerance);
+    if (has_tolerance) {
+      inverse.tolerance = tolerance_of(parts.back().substr(tolerance.size()));
+      parts.pop_back();
+    }
+    const std::string task = parts.size() > 2 ? parts[2] : "";
     using Kind = model::InverseTask::Kind;
     const bool is_given = task.starts_with(given) && task.size() > given.size();
-    if (parts.size() < 2 || parts.size() > 3 ||
+    if (parts.size() < 2 || parts.size() > 3 || (has_tolerance && !inverse.tolerance) ||
         (!task.empty() && task != "point" && task != "axis" && task != "swivel" && !is_given)) {
       diagnostics.error("wrong-inverse", places[k], fmt::format("'{}' does not say what to invert", words[k])).hint =
           "write LEFT:RIGHT for the pose of RIGHT in LEFT, or LEFT:RIGHT:point, LEFT:RIGHT:axis, "
-          "LEFT:RIGHT:swivel or LEFT:RIGHT:given=JOINT";
+          "LEFT:RIGHT:swivel or LEFT:RIGHT:given=JOINT; all but the swivel may have :tolerance=1e-3 behind them";
       continue;
     }
     inverse.left = parts[0];

@@ -72,7 +72,8 @@ struct LoadOptions {
   std::vector<std::string> contacts = {};
   // Further functions, fused of others (fused_functions.h): `control = bias_forces + joint_space_inertia`.
   std::vector<std::string> functions = {};
-  // Replace the inverse kinematics of the list: `fr_base:fr_tool`, with `:point`, `:axis`, `:swivel` or `:given=J7`.
+  // Replace the inverse kinematics of the list: `fr_base:fr_tool`, with `:point`, `:axis`, `:swivel` or `:given=J7`,
+  // then `:tolerance=1e-3`.
   std::vector<std::string> inverses = {};
   // Functions of frames are made for these only (import/frame_patterns.h): `fr_foot`, `*_foot`. Empty: for all.
   std::vector<std::string> frames = {};

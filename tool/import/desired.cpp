@@ -73,6 +73,7 @@ model::DesiredTransforms desired_transforms(
          kind,
          inverse.task == desired::Inverse::Task::swivel,
          inverse.given.text,
+         inverse.tolerance,
          {document.source, inverse.pair.span}});
   }
   result.inverses = inverse_targets(inverses, tree, diagnostics);

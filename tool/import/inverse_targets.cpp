@@ -8,6 +8,30 @@
 #include "model/named_frame.h"
 
 namespace robcogen::import {
+namespace {
+
+// Whether a chain may have this tolerance.
+bool is_tolerance(const NamedInverse& inverse, Diagnostics& diagnostics) {
+  constexpr double kMost = 0.1;
+  if (inverse.by_swivel) {
+    diagnostics
+        .error(
+            "swivel-with-tolerance", inverse.place,
+            "a swivel angle needs axes that meet exactly: it cannot have a tolerance")
+        .hint = "give a joint instead";
+    return false;
+  }
+  const double tolerance = *inverse.tolerance;
+  if (tolerance > 0.0 && tolerance <= kMost) return true;
+  diagnostics
+      .error(
+          "wrong-tolerance", inverse.place,
+          fmt::format("the tolerance {} is not above 0 and at most {}", tolerance, kMost))
+      .hint = "it is an angle (rad), and a length per metre of reach: 1e-3 for calibrated arms";
+  return false;
+}
+
+}  // namespace
 
 std::vector<model::InverseTarget> inverse_targets(
     const std::vector<NamedInverse>& names,
@@ -43,6 +67,8 @@ std::vector<model::InverseTarget> inverse_targets(
       }
       target.task.given = *joint;
     }
+    if (inverse.tolerance && !is_tolerance(inverse, diagnostics)) continue;
+    target.task.tolerance = inverse.tolerance.value_or(0.0);
     targets.push_back(std::move(target));
   }
   return targets;

@@ -61,10 +61,11 @@ struct NamedInverse {
   model::InverseTask::Kind kind = model::InverseTask::Kind::pose;
   bool by_swivel = false;
   std::string given = {};  // a joint, or empty
+  std::optional<double> tolerance = {};
   Place place = {};
 };
 
-// Unknown frames and joints, and repeated pairs, are errors.
+// Unknown frames and joints, repeated pairs and tolerances that cannot be are errors.
 std::vector<model::InverseTarget> inverse_targets(
     const std::vector<NamedInverse>& names,
     const model::KinematicTree& tree,

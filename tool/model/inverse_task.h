@@ -10,6 +10,9 @@ struct InverseTask {
   Kind kind = Kind::pose;
   int given = -1;          // a joint of the chain whose position is an argument
   bool by_swivel = false;  // the swivel angle of an arm of seven joints is an argument
+  // How far axes may be off (rad, and m per metre of reach) for a chain that has no closed form itself, but a nominal
+  // one has; 0: none.
+  double tolerance = 0.0;
   friend bool operator==(const InverseTask&, const InverseTask&) = default;
 };
 

@@ -80,7 +80,8 @@ const std::vector<BlockWords>& block_words(Language language) {
       {"Jacobians", {"base", "target", "left", "right", "left_frame", "right_frame", "for"}},
       {"Contacts", {"point", "surface", "for"}},
       {"InverseKinematics",
-       {"base", "target", "left", "right", "left_frame", "right_frame", "point", "axis", "given", "swivel", "for"}},
+       {"base", "target", "left", "right", "left_frame", "right_frame", "point", "axis", "given", "swivel", "tolerance",
+        "for"}},
       {"Functions", {}}};
   static const std::vector<BlockWords> motions = {
       {"", {"Model", "Params", "Frames", "Convention"}},

@@ -259,6 +259,8 @@ struct InverseKinematics {
   int branches;
   int given;  // element of qd whose position is that of the reference; -1: none
   int all, branch, configuration, redundancy;
+  // By how much axes may be off those of a chain with a closed form, which Newton steps follow then; 0: not at all.
+  double tolerance = 0;
 };
 
 // The function of the same name over n states. `parameters` is the cache of a robot with parameters, which is not among

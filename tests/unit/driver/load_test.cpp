@@ -300,6 +300,15 @@ TEST_F(Load, InversesThatCannotBe) {
       << diagnostics.render();
   EXPECT_FALSE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_upper:given=elbow"}}));
   EXPECT_NE(diagnostics.render().find("joint 'elbow' is not between these frames"), std::string::npos);
+  // Tolerances.
+  EXPECT_FALSE(try_load(
+      "rods.kindsl", kRods,
+      {.inverses = {"fr_base:fr_lower:tolerance=small", "fr_base:fr_upper:tolerance=1e-3:point"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"wrong-inverse", "wrong-inverse"}));
+  EXPECT_FALSE(try_load(
+      "rods.kindsl", kRods, {.inverses = {"fr_base:fr_lower:tolerance=0", "fr_base:fr_upper:swivel:tolerance=1e-3"}}));
+  EXPECT_EQ(codes(Severity::error), (Codes{"wrong-tolerance", "swivel-with-tolerance"}));
+  EXPECT_TRUE(try_load("rods.kindsl", kRods, {.inverses = {"fr_base:fr_lower:tolerance=1e-3"}}));
   // Lengths may be parameters.
   const std::string with_length = replaced(kRods, "0.75, 0.0, 0.0) rot", "length, 0.0, 0.0) rot");
   EXPECT_TRUE(try_load("rods.kindsl", with_length, {.inverses = {"fr_base:fr_lower"}}));

@@ -84,9 +84,11 @@ std::string target_of_inverse(const Subject& s) {
 }
 
 std::string determinant_of_inverse(const Subject& s) {
-  return inverse_kinematics_size(s.tree, s.frames, s.task).has_determinant
-             ? "that of the Jacobian, with the sign of the branch"
-             : "the product of the roots of the equations: 0 where branches meet";
+  const InverseKinematicsSize size = inverse_kinematics_size(s.tree, s.frames, s.task);
+  return std::string(
+             size.has_determinant ? "that of the Jacobian, with the sign of the branch"
+                                  : "the product of the roots of the equations: 0 where branches meet") +
+         (size.newton_steps > 0 ? " (of the nominal chain)" : "");
 }
 
 std::string steps_of_inverse(const Subject& s) {

@@ -1,11 +1,14 @@
 #include "algorithm/kinematics/inverse_kinematics.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "algorithm/kinematics/inverse/calibration.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 #include "algorithm/kinematics/inverse/words.h"
 #include "algorithm/spatial/trace.h"
+#include "support/number.h"
 
 namespace robcogen::algorithm {
 namespace {
@@ -90,7 +93,14 @@ class Inversion {
     return inversion::branches(trace.graph, s, chain, found.plan->steps, known, signs);
   }
 
-  Expression misfit(const Branch& branch) {
+  // Completes a branch: returns its misfit, after Newton steps if the chain is calibrated.
+  Expression finish(Branch& branch) {
+    if (found.calibration) {
+      const inversion::NewtonSteps newton(trace.graph, found.calibration->chain, target);
+      inversion::RefinedBranch refined = inversion::refined(*found.calibration, newton, branch.values);
+      branch.values = std::move(refined.values);
+      return refined.misfit;
+    }
     trace.graph.begin_section("pose of the branch", "end");
     const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
     return inversion::misfit(trace.graph, {trace.graph, chain, target}, closure, branch.values);
@@ -128,9 +138,36 @@ class Inversion {
   }
 
   inversion::StepSolver solver() {
-    return {trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>()};
+    return {
+        trace.graph,
+        chain,
+        target,
+        references(),
+        found.plan ? found.plan->lengths_agree : std::vector<bool>(),
+        found.calibration ? found.calibration->margin : 0.0};
   }
 };
+
+// Of calibrated arms (rad, m).
+constexpr double kUsualTolerance = 1e-3;
+
+// Words for the joints with which the chain has a closed form, if their positions are arguments.
+std::vector<std::string> given_joints(
+    const model::KinematicTree& tree,
+    const model::FramePair& frames,
+    InverseTask task,
+    const inversion::SerialChain& chain) {
+  std::vector<std::string> words;
+  for (int k = 0; k < chain.joints; ++k) {
+    if (chain.is_parametric(k)) continue;
+    task.given = chain.axis(k).joint;
+    const inversion::Search& found = inversion::search(tree, frames, task);
+    if (!found.plan) continue;
+    const std::string tolerance = found.calibration ? ", tolerance = " + print_double(task.tolerance) : "";
+    words.push_back("'given " + chain.axis(k).name + tolerance + "'");
+  }
+  return words;
+}
 
 }  // namespace
 
@@ -145,7 +182,8 @@ InverseKinematicsSize inverse_kinematics_size(
   if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
   const std::optional<Plan>& plan = found.plan;
   if (!plan) return {};
-  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0};
+  const int steps = found.calibration ? found.calibration->steps : 0;
+  return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0, steps};
 }
 
 Program inverse_kinematics(
@@ -160,14 +198,15 @@ Program inverse_kinematics(
   inversion.reference_input();
   std::vector<Expression> misfit, determinant;
   Columns sines, cosines;
-  for (const Branch& branch : inversion.branches(nullptr)) {
+  for (Branch& branch : inversion.branches(nullptr)) {
+    const Expression of_branch = inversion.finish(branch);
     std::vector<Expression>&s = sines.emplace_back(), &c = cosines.emplace_back();
     for (int k = 0; k < inversion.chain.joints; ++k) {
       if (inversion.chain.is_parametric(k)) continue;
       s.push_back(branch.values[at(k)]->sine);
       c.push_back(inversion.chain.axis(k).turns ? branch.values[at(k)]->cosine : Expression());
     }
-    misfit.push_back(inversion.misfit(branch));
+    misfit.push_back(of_branch);
     determinant.push_back(inversion.determinant(branch));
   }
   const auto rows = static_cast<int>(sines.front().size());
@@ -189,7 +228,10 @@ Program inverse_kinematics_branch(
   inversion.swivel_input();
   const std::vector<Expression> signs = trace.input("signs", Role::value, sign_names(inversion.found));
   inversion.reference_input();
-  const Branch branch = inversion.branches(&signs).front();
+  Branch branch = inversion.branches(&signs).front();
+  const bool is_calibrated = inversion.found.calibration != nullptr;
+  Expression misfit;
+  if (is_calibrated) misfit = inversion.finish(branch);
   trace.section("q", "positions");
   std::vector<Expression> q = inversion.reference;
   for (int k = 0; k < inversion.chain.joints; ++k) {
@@ -198,7 +240,8 @@ Program inverse_kinematics_branch(
     q[at(inversion.chain.axis(k).joint)] = inversion.chain.axis(k).turns ? atan2(value.sine, value.cosine) : value.sine;
   }
   trace.output("q", Role::joint_position, trace.positions(q));
-  trace.output("misfit", Role::residual, std::vector<Expression>{inversion.misfit(branch)});
+  if (!is_calibrated) misfit = inversion.finish(branch);
+  trace.output("misfit", Role::residual, std::vector<Expression>{misfit});
   trace.output("determinant", Role::residual, std::vector<Expression>{inversion.determinant(branch)});
   return trace.program(name);
 }
@@ -246,6 +289,7 @@ std::vector<std::string> inverse_kinematics_steps(
   if (found.swivel) return found.swivel->lines();
   std::vector<std::string> lines;
   for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
+  if (found.calibration) lines.push_back(describe(*found.calibration));
   return lines;
 }
 
@@ -258,19 +302,26 @@ InverseKinematicsReport report_inverse_kinematics(
   const inversion::Search& search = inversion::search(tree, frames, task);
   if (task.given >= 0 && search.chain.given < 0)
     return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
+  const inversion::Search* nominal = nullptr;
+  for (const double tolerance : {kUsualTolerance, 10.0 * kUsualTolerance}) {
+    if (search.plan || task.by_swivel || (nominal && nominal->plan) || tolerance <= task.tolerance) continue;
+    InverseTask other = task;
+    other.tolerance = tolerance;
+    nominal = &inversion::search(tree, frames, other);
+  }
   std::vector<std::string> arguments;
   if (!search.plan && !task.by_swivel && task.given < 0) {
+    arguments = given_joints(tree, frames, task, search.chain);
     InverseTask other = task;
-    for (int k = 0; k < search.chain.joints; ++k) {
-      if (search.chain.is_parametric(k)) continue;
-      other.given = search.chain.axis(k).joint;
-      if (inversion::search(tree, frames, other).plan) arguments.push_back("'given " + search.chain.axis(k).name + "'");
-    }
-    other = task;
     other.by_swivel = true;
     if (inversion::search(tree, frames, other).swivel) arguments.emplace_back("'swivel'");
+    other = task;
+    other.tolerance = std::max(task.tolerance, kUsualTolerance);
+    constexpr int kCoordinates = 6;
+    if (arguments.empty() && search.chain.joints > kCoordinates)
+      arguments = given_joints(tree, frames, other, search.chain);
   }
-  inversion::Explanation explanation = explain(search, arguments);
+  inversion::Explanation explanation = explain(search, arguments, nominal);
   return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};
 }
 

@@ -16,6 +16,7 @@ struct InverseKinematicsSize {
   int branches = 0;
   int signs = 0;
   bool has_determinant = false;  // the output `determinant` is that of the Jacobian
+  int newton_steps = 0;          // behind the closed form of a nominal chain
 };
 InverseKinematicsSize inverse_kinematics_size(
     const model::KinematicTree& tree,
@@ -50,7 +51,8 @@ symbolic::Program inverse_kinematics_redundancy(
     const model::InverseTask& task,
     const std::string& name);
 
-// How each joint is found, in this order: `J4: distance of the point of J1, J2, J3 and the point of J5, J6, 2 roots`.
+// How each joint is found, in this order: `J4: distance of the point of J1, J2, J3 and the point of J5, J6, 2 roots`;
+// then the Newton steps, if the chain has a tolerance.
 std::vector<std::string> inverse_kinematics_steps(
     const model::KinematicTree& tree,
     const model::FramePair& frames,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "backend/cpp/layout.h"
+#include "support/number.h"
 
 namespace robcogen::backend::cpp {
 namespace {
@@ -43,6 +44,7 @@ Table inverse_kinematics(const Api& api) {
          c.kernel + "_joints", static_cast<int>(joints.size()), c.function->program.outputs.front().columns,
          element_of(api.library->tree, target.task.given), all, place_of("::branch"), place_of("::configuration"),
          place_of("::redundancy")});
+    if (target.task.tolerance > 0.0) rows.back().push_back(print_double(target.task.tolerance));
   }
   Table result = table("InverseKinematics", "kInverseKinematics", rows);
   result.definition = paragraphs({lists, result.definition});

@@ -109,7 +109,8 @@
     "in"
     "point"
     "surface"
-    "swivel"))
+    "swivel"
+    "tolerance"))
 
 (defconst robcogen-motdsl-keywords
   '("Model"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ struct Inverse {
   enum class Task { pose, point, axis, given, swivel };
   Pair pair;
   Task task = Task::pose;
-  Name given = {};  // the joint whose position is an argument
+  Name given = {};                       // the joint whose position is an argument
+  std::optional<double> tolerance = {};  // by which axes may differ from those of a nominal chain
 };
 
 struct Document {

@@ -69,17 +69,38 @@ bool at_task(const Cursor& cursor, std::size_t offset) {
          !is_frame(".");
 }
 
-// Parses what follows a pair: nothing, `point`, `axis`, `swivel` or `given J7`.
-Inverse read_inverse(Cursor& cursor, Pair pair) {
-  Inverse inverse{std::move(pair)};
-  if (cursor.at(",") && at_task(cursor, 1)) cursor.take();
-  if (!at_task(cursor, 0)) return inverse;
+bool at_tolerance(const Cursor& cursor, std::size_t offset) {
+  return cursor.at("tolerance", offset) && cursor.at("=", offset + 1);
+}
+
+// Parses `point`, `axis`, `swivel` or `given J7`.
+void read_task(Cursor& cursor, Inverse& inverse) {
   const std::string_view task = cursor.take().text;
   inverse.task = task == "point"    ? Inverse::Task::point
                  : task == "axis"   ? Inverse::Task::axis
                  : task == "swivel" ? Inverse::Task::swivel
                                     : Inverse::Task::given;
   if (inverse.task == Inverse::Task::given) inverse.given = read_name(cursor, "the name of a joint");
+}
+
+// Parses `tolerance = 1e-3`.
+double read_tolerance(Cursor& cursor) {
+  cursor.take();
+  cursor.expect("=", "after 'tolerance'");
+  const bool is_negative = cursor.accept("-");
+  if (cursor.peek().kind != Token::Kind::number) cursor.unexpected("a number", "as the tolerance");
+  const double value = number_of(cursor.take()).value();
+  if (cursor.at_decimal_comma()) cursor.decimal_comma(cursor.previous().span);
+  return is_negative ? -value : value;
+}
+
+// Parses what follows a pair: a task, a tolerance, both in this order, or nothing.
+Inverse read_inverse(Cursor& cursor, Pair pair) {
+  Inverse inverse{std::move(pair)};
+  if (cursor.at(",") && (at_task(cursor, 1) || at_tolerance(cursor, 1))) cursor.take();
+  if (at_task(cursor, 0)) read_task(cursor, inverse);
+  if (cursor.at(",") && at_tolerance(cursor, 1)) cursor.take();
+  if (at_tolerance(cursor, 0)) inverse.tolerance = read_tolerance(cursor);
   inverse.pair.span.end = cursor.previous().span.end;
   return inverse;
 }

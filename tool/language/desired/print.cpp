@@ -3,6 +3,7 @@
 #include "language/desired/document.h"
 #include "language/desired/keywords.h"
 #include "support/concat.h"
+#include "support/number.h"
 
 namespace robcogen::language::desired {
 namespace {
@@ -77,7 +78,9 @@ std::string task(const Inverse& i) {
 }
 
 std::string inverses(const Document& d) {
-  const auto line = [](const Inverse& i) { return sides(i.pair) + task(i); };
+  const auto line = [](const Inverse& i) {
+    return sides(i.pair) + task(i) + (i.tolerance ? ", tolerance = " + print_double(*i.tolerance) : "");
+  };
   return "InverseKinematics {\n" + lines(d.inverses, d.loops, "", line) + "}\n";
 }
 
@@ -114,7 +117,7 @@ bool same(const Contact& a, const Contact& b) {
 }
 
 bool same(const Inverse& a, const Inverse& b) {
-  return same(a.pair, b.pair) && a.task == b.task && a.given.text == b.given.text;
+  return same(a.pair, b.pair) && a.task == b.task && a.given.text == b.given.text && a.tolerance == b.tolerance;
 }
 
 bool same(const Loop& a, const Loop& b);

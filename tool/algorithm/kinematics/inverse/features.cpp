@@ -46,15 +46,6 @@ double distance_to(const ChainAxis& axis, const Numbers3& x) {
   return norm(cross(x - axis.point, axis.direction));
 }
 
-// The point of an axis that is nearest to another axis.
-Numbers3 foot(const ChainAxis& a, const ChainAxis& b) {
-  constexpr double kParallel = 1e-6;
-  const Numbers3 w = cross(a.direction, b.direction), between = b.point - a.point;
-  const double along =
-      norm(w) < kParallel ? dot(a.direction, between) : dot(cross(between, b.direction), w) / dot(w, w);
-  return a.point + along * a.direction;
-}
-
 class FeatureFinder {
  public:
   explicit FeatureFinder(const SerialChain& chain) : chain_(chain) {}
@@ -208,6 +199,14 @@ double gap(const ChainAxis& a, const ChainAxis& b) {
   const Numbers3 w = cross(a.direction, b.direction), between = b.point - a.point;
   return are_parallel(a.direction, b.direction) ? norm(cross(between, a.direction))
                                                 : std::abs(dot(between, w)) / norm(w);
+}
+
+Numbers3 foot(const ChainAxis& a, const ChainAxis& b) {
+  constexpr double kParallel = 1e-6;
+  const Numbers3 w = cross(a.direction, b.direction), between = b.point - a.point;
+  const double along =
+      norm(w) < kParallel ? dot(a.direction, between) : dot(cross(between, b.direction), w) / dot(w, w);
+  return a.point + along * a.direction;
 }
 
 Features features_of(const SerialChain& chain) {

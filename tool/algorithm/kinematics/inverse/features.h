@@ -27,6 +27,9 @@ std::optional<Numbers3> common_point(const SerialChain& chain, int begin, int en
 // The distance by which the axes of two joints miss each other (m).
 double gap(const ChainAxis& a, const ChainAxis& b);
 
+// The point of an axis that is nearest to another axis.
+Numbers3 foot(const ChainAxis& a, const ChainAxis& b);
+
 // With maximal sets of joints, then with parts of these sets: two features that share a joint have no path between
 // them.
 struct Features {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithm/kinematics/inverse/arrangements.h"
+#include "algorithm/kinematics/inverse/calibration.h"
 #include "algorithm/kinematics/inverse/laboratory.h"
 #include "algorithm/kinematics/inverse/swivel.h"
 
@@ -324,7 +325,7 @@ std::optional<Measured> best_order(const SerialChain& chain, Known& found) {
 std::vector<double> numbers_of(const SerialChain& chain) {
   std::vector<double> numbers = {
       static_cast<double>(chain.joints), static_cast<double>(chain.given), static_cast<double>(chain.task.kind),
-      chain.task.by_swivel ? 1.0 : 0.0};
+      chain.task.by_swivel ? 1.0 : 0.0, chain.task.tolerance};
   const auto add = [&](const Numbers3& v) { numbers.insert(numbers.end(), v.begin(), v.end()); };
   for (const ChainAxis& axis : chain.axes) {
     numbers.push_back(axis.turns ? 1.0 : 0.0);
@@ -335,6 +336,16 @@ std::vector<double> numbers_of(const SerialChain& chain) {
   for (const Numbers3& column : chain.rotation) add(column);
   add(chain.position);
   return numbers;
+}
+
+// Of the nominal chain of one without a plan; nullopt if that has none either, or there is no other.
+std::optional<Search> search_nominal(const SerialChain& chain) {
+  const NominalChain nominal = nominal_chain(chain, chain.task.tolerance);
+  if (!nominal.differs()) return std::nullopt;
+  Search result = search(nominal.chain);
+  if (!result.plan) return std::nullopt;
+  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, *result.plan));
+  return result;
 }
 
 }  // namespace
@@ -401,12 +412,19 @@ Search search(const SerialChain& chain) {
 const Search& search(const model::KinematicTree& tree, const model::FramePair& frames, const model::InverseTask& task) {
   static std::mutex mutex;
   static std::map<std::pair<std::vector<double>, std::string>, std::unique_ptr<const Search>> known;
+  const Search* exact = nullptr;
+  if (task.tolerance > 0.0) {
+    model::InverseTask other = task;
+    other.tolerance = 0.0;
+    exact = &search(tree, frames, other);
+    if (exact->plan || exact->swivel) return *exact;
+  }
   const SerialChain chain = serial_chain(tree, frames, task);
   std::string joints;
   for (const ChainAxis& axis : chain.axes) joints += std::to_string(axis.joint) + " " + axis.name + " ";
   const std::scoped_lock lock(mutex);
   std::unique_ptr<const Search>& found = known[{numbers_of(chain), joints}];
-  if (!found) found = std::make_unique<const Search>(search(chain));
+  if (!found) found = std::make_unique<const Search>(exact ? search_nominal(chain).value_or(*exact) : search(chain));
   return *found;
 }
 

@@ -24,19 +24,22 @@ struct Plan {
   int branches() const { return 1 << roots(); }
 };
 
-struct SwivelPlan;  // swivel.h
+struct SwivelPlan;   // swivel.h
+struct Calibration;  // calibration.h
 
 struct Search {
   std::optional<Plan> plan;
   SerialChain chain;
-  Known found;                                    // the joints that are found, if not all are
-  std::shared_ptr<const SwivelPlan> swivel = {};  // instead of a plan, if the task takes the swivel angle
+  Known found;                                          // the joints that are found, if not all are
+  std::shared_ptr<const SwivelPlan> swivel = {};        // instead of a plan, if the task takes the swivel angle
+  std::shared_ptr<const Calibration> calibration = {};  // of a plan for a nominal chain, which `chain` is then
 };
 
 // The cheapest of the most accurate plans that the search finds. It is the same on all machines.
 Search search(const SerialChain& chain);
 
-// The same for the chain of frames without obstacle; searched once for all calls with the same numbers.
+// The same for the chain of frames without obstacle, or for its nominal chain if it has no plan and the task has a
+// tolerance; searched once for all calls with the same numbers.
 const Search& search(const model::KinematicTree& tree, const model::FramePair& frames, const model::InverseTask& task);
 
 struct Branch {

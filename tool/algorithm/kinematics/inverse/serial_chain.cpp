@@ -12,17 +12,12 @@ using model::PrimitiveTransform;
 
 constexpr NumberMatrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-// Numbers that differ from these by rounding fold in programs.
 double snapped(double x) {
   constexpr double kRounding = 1e-13;
   static const double known[] = {0.0, 1.0, 0.5, std::sqrt(0.5), std::sqrt(0.75)};
   for (const double value : known)
     if (std::abs(std::abs(x) - value) < kRounding) return std::copysign(value, value == 0.0 ? 1.0 : x);
   return x;
-}
-
-Numbers3 snapped(const Numbers3& v) {
-  return {snapped(v[0]), snapped(v[1]), snapped(v[2])};
 }
 
 // Rotation about a unit axis (Rodrigues).
@@ -39,8 +34,11 @@ void move(NumberPose& here, const PrimitiveTransform& primitive) {
   }
   // Exact for multiples of a quarter turn.
   const SineCosine angle = {model::evaluate(sin(primitive.amount)), model::evaluate(cos(primitive.amount))};
-  const Numbers3 h = here.rotation[axis];
-  for (Numbers3& column : here.rotation) column = turned(column, h, angle);
+  // Only the columns across the axis: otherwise, each rotation triples the error of its length.
+  Numbers3 &a = here.rotation[(axis + 1) % 3], &b = here.rotation[(axis + 2) % 3];
+  const Numbers3 last = a;
+  a = angle.cosine * a + angle.sine * b;
+  b = angle.cosine * b - angle.sine * last;
 }
 
 bool depends_on_parameters(const PrimitiveTransform& primitive) {
@@ -59,7 +57,7 @@ void add_freedoms(SerialChain& chain) {
       for (const Numbers3& e : kIdentity) add(true, e);
       break;
     case model::InverseTask::Kind::axis:
-      add(true, snapped(chain.rotation[2]));
+      add(true, folded(chain.rotation[2]));
       break;
     case model::InverseTask::Kind::orientation:
       for (const Numbers3& e : kIdentity) add(false, e);
@@ -79,6 +77,10 @@ Numbers3 operator*(double k, const Numbers3& a) {
 
 Numbers3 operator*(const NumberMatrix& columns, const Numbers3& a) {
   return a[0] * columns[0] + a[1] * columns[1] + a[2] * columns[2];
+}
+
+Numbers3 folded(const Numbers3& direction) {
+  return {snapped(direction[0]), snapped(direction[1]), snapped(direction[2])};
 }
 
 Numbers3 without_rounding(const SerialChain& chain, Numbers3 x) {
@@ -121,7 +123,7 @@ SerialChain serial_chain(
       const PrimitiveTransform& primitive = segment.primitives[k];
       if (depends_on_parameters(primitive))
         chain.axes.push_back(
-            {-1, primitive.rotation, snapped(here.rotation[static_cast<std::size_t>(primitive.axis)]), here.position,
+            {-1, primitive.rotation, folded(here.rotation[static_cast<std::size_t>(primitive.axis)]), here.position,
              print(primitive.amount, tree.parameters), amounts++});
       else
         move(here, primitive);
@@ -130,12 +132,12 @@ SerialChain serial_chain(
       if (joint == task.given) chain.given = chain.size();
       chain.axes.push_back(
           {joint, model::turns(tree.joints[at(joint)].type),
-           snapped(backward ? -1.0 * here.rotation[2] : here.rotation[2]), here.position,
+           folded(backward ? -1.0 * here.rotation[2] : here.rotation[2]), here.position,
            tree.joints[at(joint)].declared_name()});
     }
   }
   chain.joints = chain.size();
-  for (std::size_t k = 0; k < 3; ++k) chain.rotation[k] = snapped(here.rotation[k]);
+  for (std::size_t k = 0; k < 3; ++k) chain.rotation[k] = folded(here.rotation[k]);
   chain.position = here.position;
   double reach = norm(chain.position - chain.axes.back().point);
   for (std::size_t k = 1; k < chain.axes.size(); ++k) reach += norm(chain.axes[k].point - chain.axes[k - 1].point);

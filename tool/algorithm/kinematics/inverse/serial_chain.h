@@ -64,6 +64,9 @@ struct SerialChain {
   bool is_known(int k) const { return k == given || is_parametric(k); }
 };
 
+// A direction whose elements are exact where they differ from 0, 1, 1/2, … by rounding: they fold in programs.
+Numbers3 folded(const Numbers3& direction);
+
 // A point without elements that are zero but for rounding.
 Numbers3 without_rounding(const SerialChain& chain, Numbers3 x);
 

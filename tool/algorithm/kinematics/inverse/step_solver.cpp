@@ -53,12 +53,14 @@ StepSolver::StepSolver(
     const SerialChain& chain,
     Target target,
     std::vector<Expression> references,
-    std::vector<bool> lengths_agree)
+    std::vector<bool> lengths_agree,
+    double margin)
     : graph_(graph),
       chain_(chain),
       loop_(graph, chain, std::move(target)),
       references_(std::move(references)),
-      lengths_agree_(std::move(lengths_agree)) {
+      lengths_agree_(std::move(lengths_agree)),
+      margin_(margin) {
   lengths_agree_.resize(chain.axes.size());
   const auto turning =
       std::find_if(chain.axes.begin(), chain.axes.end(), [](const ChainAxis& axis) { return axis.turns; });
@@ -68,6 +70,12 @@ StepSolver::StepSolver(
   if (has_rotation || first < chain.joints)
     tiny_ = kTiny * (graph.constant(2.0) + (has_rotation ? corner : sin(references_[at(first)])));
   graph.describe(tiny_, of_joint(chain, 0, "tiny"));
+}
+
+Expression StepSolver::positive(const Expression& discriminant, const Expression& largest) const {
+  if (margin_ == 0.0) return 0.5 * (discriminant + magnitude(discriminant));
+  const Expression least = graph_.constant(margin_) * largest, least_square = square(least);
+  return 0.5 * (discriminant + sqrt(square(discriminant) + least_square));
 }
 
 std::optional<SolvedJoint> StepSolver::two_roots(
@@ -105,8 +113,8 @@ std::optional<SolvedJoint> StepSolver::two_roots(
     radius_square = square(A) + square(B);
   }
   const Expression rest = discriminant ? discriminant->lengths - square(discriminant->k) : radius_square - square(D);
-  const Expression positive = 0.5 * (rest + magnitude(rest)), root = sign * sqrt(positive);
-  const Expression radius = sqrt(radius_square), far = sqrt(square(D) + positive);
+  const Expression square_of_root = positive(rest, radius_square), root = sign * sqrt(square_of_root);
+  const Expression radius = sqrt(radius_square), far = sqrt(square(D) + square_of_root);
   const Expression inverse = graph_.one() / (radius * far);
   SolvedJoint found;
   found.value.cosine = difference_of_products(A, D, B, root) * inverse;
@@ -224,8 +232,8 @@ std::optional<SolvedJoint> StepSolver::by_distance(
     // |left - (right + h t)|^2 = |d|^2
     const Vector3 between = left - right;
     const Expression middle = dot(loop_.basis(m).h, between);
-    const Expression rest = square(middle) - dot(between, between) + dot(d, d);
-    const Expression root = sign * sqrt(0.5 * (rest + magnitude(rest)));
+    const Expression far_square = dot(d, d), rest = square(middle) - dot(between, between) + far_square;
+    const Expression root = sign * sqrt(positive(rest, far_square));
     return SolvedJoint{{middle + root, graph_.one()}, root};
   }
   const Vector3 origin = loop_.axis_point(m);

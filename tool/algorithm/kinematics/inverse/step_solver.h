@@ -16,13 +16,16 @@ struct SolvedJoint {
 class StepSolver {
  public:
   // `references`: positions by joint of the chain, for joints that have no effect. `lengths_agree`, by joint: whether
-  // the vectors of a vector step have equal lengths across the axis, whatever the target.
+  // the vectors of a vector step have equal lengths across the axis, whatever the target. `margin`: discriminants,
+  // relative to their largest values, are at least half of this. Roots of a nominal chain are not then where two of
+  // them meet, where Newton steps towards those of the chain itself have no direction.
   StepSolver(
       Graph& graph,
       const SerialChain& chain,
       Target target,
       std::vector<Expression> references,
-      std::vector<bool> lengths_agree = {});
+      std::vector<bool> lengths_agree = {},
+      double margin = 0.0);
 
   // The joint of a step, with this sign (1 or -1) of the root if it has two. nullopt if the step cannot find it.
   std::optional<SolvedJoint> solve(const Step& step, const JointValues& values, const Expression& sign);
@@ -54,9 +57,12 @@ class StepSolver {
   TargetLoop loop_;
   std::vector<Expression> references_;
   std::vector<bool> lengths_agree_;
+  double margin_;
   Expression tiny_;  // 2^-59 to 2^-58
   std::vector<Lengths> lengths_;
 
+  // The discriminant, or zero if it is negative; the margin counts for this largest value of it.
+  Expression positive(const Expression& discriminant, const Expression& largest) const;
   std::optional<SolvedJoint> two_roots(
       int joint,
       const Vector3& left,

@@ -1,4 +1,3 @@
-// What inverse kinematics says about a chain.
 #include "algorithm/kinematics/inverse/words.h"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 
 #include "algorithm/kinematics/inverse/swivel.h"
+#include "support/number.h"
 
 namespace robcogen::algorithm::inversion {
 namespace {
@@ -65,7 +65,19 @@ std::string near_misses(const SerialChain& chain) {
   return text;
 }
 
+// `3e-4 rad and 0.2 mm`
+std::string difference(const Calibration& c) {
+  const std::string angle = fmt::format("{:.2g} rad", c.angle);
+  return c.distance > c.chain.same_point ? angle + " and " + length(c.distance) : angle;
+}
+
 }  // namespace
+
+std::string describe(const Calibration& calibration) {
+  return fmt::format(
+      "then {} Newton steps on the chain itself, which find {:.1f} % of random positions to 1e-9", calibration.steps,
+      100.0 * calibration.share);
+}
 
 std::string describe_axes(const SerialChain& chain) {
   std::vector<std::string> words;
@@ -79,12 +91,15 @@ std::string describe_axes(const SerialChain& chain) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-Explanation explain(const Search& search, const std::vector<std::string>& arguments) {
+Explanation explain(const Search& search, const std::vector<std::string>& arguments, const Search* nominal) {
   const SerialChain& chain = search.chain;
   if (search.plan || search.swivel) {
     const std::string axes = describe_axes(chain);
     const int count = search.plan ? search.plan->branches() : search.swivel->branches();
-    return {fmt::format("{} branch{}{}", count, count == 1 ? "" : "es", axes.empty() ? "" : "; axes: " + axes), ""};
+    std::string text = fmt::format("{} branch{}", count, count == 1 ? "" : "es");
+    if (search.calibration)
+      text += " of a nominal chain, from which axes differ by up to " + difference(*search.calibration);
+    return {text + (axes.empty() ? "" : "; axes: " + axes), ""};
   }
   if (chain.task.by_swivel && chain.has_parameters())
     return {"a swivel angle needs a chain without parameters", "give a joint"};
@@ -110,6 +125,14 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     hint = fmt::format(
         "closed forms exist with {}; a search over that joint finds all positions: <robcogen/generic/all_solutions.h>",
         list(arguments));
+  if (nominal && nominal->plan)
+    return {
+        fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
+        fmt::format(
+            "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton "
+            "steps "
+            "follow; otherwise round the numbers of the model: --snap-angles for URDF",
+            print_double(nominal->chain.task.tolerance), difference(*nominal->calibration))};
   if (!misses.empty()) hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";
   return {fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses), hint};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/kinematics/inverse/calibration.h"
 #include "algorithm/kinematics/inverse/plan.h"
 
 namespace robcogen::algorithm::inversion {
@@ -11,11 +12,14 @@ namespace robcogen::algorithm::inversion {
 // `J1 and J2 meet, J4, J5 and J6 meet in a point, J2 and J3 are parallel`
 std::string describe_axes(const SerialChain& chain);
 
+// `then 3 Newton steps on the chain itself, which find 97.1 % of random positions to 1e-9`
+std::string describe(const Calibration& calibration);
+
 // `8 branches; axes: …`, or why there is no closed form, with a hint. `arguments` are words for arguments with which
-// the chain has one: `'given J7'`, `'swivel'`.
+// the chain has one: `'given J7'`, `'swivel'`. `nominal`: the search with a tolerance, if there is another one.
 struct Explanation {
   std::string reason, hint;
 };
-Explanation explain(const Search& search, const std::vector<std::string>& arguments);
+Explanation explain(const Search& search, const std::vector<std::string>& arguments, const Search* nominal);
 
 }  // namespace robcogen::algorithm::inversion

@@ -3,7 +3,7 @@ if exists('b:current_syntax')
   finish
 endif
 syntax keyword dtdslKeyword Robot Model Frames Transforms Jacobians base left left_frame target right right_frame
-syntax keyword dtdslWord Contacts Functions InverseKinematics axis for given in point surface swivel
+syntax keyword dtdslWord Contacts Functions InverseKinematics axis for given in point surface swivel tolerance
 syntax keyword dtdslFunction sin cos tan sqrt
 syntax keyword dtdslConstant PI pi Pi
 syntax match dtdslNumber /\<\d\+\.\?\d*\([eE][+-]\?\d\+\)\?/

@@ -101,6 +101,36 @@ class InverseKinematicsCheck {
     return largest;
   }
 
+  // Newton steps on a chain that is slightly off miss positions in which it is almost singular: where a pivot of J^T J
+  // is small.
+  bool may_be_missed() const {
+    if (chain_.tolerance == 0) return false;
+    constexpr double kLeastPivot = 20;  // per tolerance
+    const Matrix<double> pose = transform(c_.robot, q_, chain_.left, chain_.right);
+    const Matrix<double> all = frame_jacobian(c_.robot, q_, chain_.left, chain_.right);
+    Matrix<double> J(6, chain_.joint_count - (chain_.given < 0 ? 0 : 1));
+    int k = 0;
+    for (int row = 0; row < chain_.joint_count; ++row) {
+      if (chain_.joints[row] == chain_.given) continue;
+      Matrix<double> column = all.col(chain_.joints[row]);
+      double about_axis = 0;
+      for (int i = 0; i < 3; ++i) about_axis += pose(i, 2) * column(i, 0);
+      for (int i = 0; i < 3; ++i) {
+        if (chain_.task == Task::position) column(i, 0) = 0;
+        if (chain_.task == Task::position_and_axis) column(i, 0) -= about_axis * pose(i, 2);
+      }
+      J.set_block(0, k++, column);
+    }
+    Matrix<double> N = transpose(J) * J;
+    double least = N(0, 0);
+    for (k = 0; k < N.rows(); ++k) {
+      least = std::min(least, N(k, k));
+      for (int i = k + 1; i < N.rows(); ++i)
+        for (int j = N.rows(); j-- > k;) N(i, j) -= N(i, k) / N(k, k) * N(k, j);
+    }
+    return !(least > kLeastPivot * chain_.tolerance);
+  }
+
   // A target of the positions q has a branch with these positions; others may have none.
   void all_branches(const Matrix<double>& target, bool is_of_q) {
     const Values out = call(chain_.all, {of_target(target), swivel_, reference_.values()});
@@ -118,7 +148,7 @@ class InverseKinematicsCheck {
       record("poses of all branches", kInversePose, error(q, target, of_branch));
       if (const Real d = distance(q, q_); d < nearest) nearest = d, misfit = of_branch;
     }
-    if (!is_of_q) return;
+    if (!is_of_q || may_be_missed()) return;
     record("positions among all branches", kInversePositions, nearest);
     record("misfit in these positions", kInversePositions, misfit);
   }
@@ -130,6 +160,7 @@ class InverseKinematicsCheck {
     std::copy_n(out.begin(), q.rows(), q.data());
     const Real misfit = out[static_cast<std::size_t>(q.rows())];
     record("pose of a branch", kInversePose, error(q, target, misfit));
+    if (may_be_missed()) return;
     record("positions in a branch", kInversePositions, worst_of({distance(q, q_), misfit}));
   }
 };
