@@ -35,8 +35,9 @@ enum class ColumnLoops {
 // A check of collisions that ends early.
 struct CollisionCheck {
   model::CollisionTree shapes;
-  // For each link of `shapes` in turn, the sphere around it; then for each, on demand, those of its bodies and shapes.
-  // Inputs: q and the workspace; outputs: `links`, `bodies` and `spheres`, and the workspace.
+  // The sphere around each link of `shapes` in turn; then, on demand, those around the groups of each link with several
+  // groups, and those of each group with several spheres. Inputs: q and the workspace; outputs: `links`, `groups` and
+  // `spheres`, and the workspace.
   symbolic::Stages stages;
 };
 

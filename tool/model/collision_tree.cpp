@@ -40,7 +40,34 @@ std::vector<Ball> row_of(const Capsule& capsule) {
   return row;
 }
 
-// Parents before their children.
+// A sphere of a shape, by its place in the list of shapes.
+struct ShapeBall {
+  std::size_t shape;
+  Ball ball;
+};
+
+// Halves of the spheres, along the coordinate in which their centres are farthest apart, until these are few.
+std::vector<std::vector<ShapeBall>> clusters(std::vector<ShapeBall> spheres) {
+  constexpr std::size_t kMost = 4;
+  if (spheres.size() <= kMost) return {spheres};
+  std::size_t axis = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto less = [&](const ShapeBall& a, const ShapeBall& b) { return a.ball.center[k] < b.ball.center[k]; };
+    const auto [low, high] = std::minmax_element(spheres.begin(), spheres.end(), less);
+    const double extent = high->ball.center[k] - low->ball.center[k];
+    if (extent > most) most = extent, axis = k;
+  }
+  std::stable_sort(spheres.begin(), spheres.end(), [&](const ShapeBall& a, const ShapeBall& b) {
+    return a.ball.center[axis] < b.ball.center[axis];
+  });
+  const auto middle = spheres.begin() + static_cast<std::ptrdiff_t>(spheres.size() / 2);
+  std::vector<std::vector<ShapeBall>> result = clusters({spheres.begin(), middle});
+  for (std::vector<ShapeBall>& cluster : clusters({middle, spheres.end()})) result.push_back(std::move(cluster));
+  return result;
+}
+
+// The depth of each link in the tree.
 std::vector<int> depths(const KinematicTree& tree) {
   std::vector<int> result(tree.links.size(), -1);
   const auto depth = [&](auto& self, int link) -> int {
@@ -82,57 +109,68 @@ Ball around(const std::vector<Ball>& balls) {
 
 CollisionTree collision_tree(const KinematicTree& tree) {
   const std::vector<Capsule> shapes = capsules(tree);
+  const std::vector<std::array<std::size_t, 2>> pairs = collision_pairs(tree, shapes);
   const std::vector<int> depth = depths(tree);
-  std::vector<std::size_t> order(shapes.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const auto key = [&](std::size_t i) { return std::pair(depth[at(shapes[i].link)], shapes[i].link); };
-    return key(a) < key(b);
-  });
+
+  // By link, parents first: the sets of its shapes that are checked against the same others.
+  std::vector<std::set<std::size_t>> partners(shapes.size());
+  for (const auto& [i, k] : pairs) {
+    partners[i].insert(k);
+    partners[k].insert(i);
+  }
+  std::map<std::pair<int, int>, std::vector<std::vector<std::size_t>>> sets;  // depth, link
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    std::vector<std::vector<std::size_t>>& of_link = sets[{depth[at(shapes[i].link)], shapes[i].link}];
+    const auto same = std::find_if(of_link.begin(), of_link.end(), [&](const std::vector<std::size_t>& set) {
+      return partners[set.front()] == partners[i];
+    });
+    (same == of_link.end() ? of_link.emplace_back() : *same).push_back(i);
+  }
 
   CollisionTree result;
-  std::vector<int> body_of(shapes.size()), link_of_body;
-  for (const std::size_t i : order) {
-    const Capsule& shape = shapes[i];
-    const bool is_new_link = result.links.empty() || result.links.back().link != shape.link;
-    if (is_new_link) result.links.push_back({shape.link, {}, static_cast<int>(result.bodies.size()), 0});
-    if (is_new_link || result.bodies.back().name != shape.body) {
-      result.bodies.push_back({shape.body, {}, static_cast<int>(result.spheres.size()), 0});
-      link_of_body.push_back(static_cast<int>(result.links.size()) - 1);
-      ++result.links.back().count;
+  std::vector<int> shape_of_group;  // one of its shapes
+  std::vector<int> link_of_group;
+  for (const auto& [key, of_link] : sets) {
+    CollisionTree::Link& link = result.links.emplace_back();
+    link = {key.second, {}, static_cast<int>(result.groups.size()), 0};
+    std::vector<Ball> balls;
+    for (const std::vector<std::size_t>& set : of_link) {
+      std::vector<ShapeBall> spheres;
+      for (const std::size_t i : set) {
+        result.is_exact = result.is_exact && shapes[i].is_sphere();
+        for (const Ball& ball : row_of(shapes[i])) spheres.push_back({i, ball}), balls.push_back(ball);
+      }
+      for (const std::vector<ShapeBall>& group : clusters(std::move(spheres))) {
+        result.groups.push_back({"", {}, static_cast<int>(result.spheres.size()), static_cast<int>(group.size())});
+        std::vector<Ball> inside;
+        std::string& names = result.groups.back().name;
+        for (const ShapeBall& sphere : group) {
+          const Capsule& shape = shapes[sphere.shape];
+          if (names.empty())
+            names = shape.body;
+          else if (names.rfind(shape.body) == std::string::npos)
+            names += ", " + shape.body;
+          result.spheres.push_back({shape.name, sphere.ball});
+          inside.push_back(sphere.ball);
+        }
+        result.groups.back().ball = around(inside);
+        shape_of_group.push_back(static_cast<int>(group.front().shape));
+        link_of_group.push_back(static_cast<int>(result.links.size()) - 1);
+        ++link.count;
+      }
     }
-    body_of[i] = static_cast<int>(result.bodies.size()) - 1;
-    for (const Ball& ball : row_of(shape)) {
-      result.spheres.push_back({shape.name, ball});
-      ++result.bodies.back().count;
-    }
-    result.is_exact = result.is_exact && shape.is_sphere();
+    link.ball = link.count == 1 ? result.groups.back().ball : around(balls);
   }
 
-  const auto balls_of = [](const auto& list, const auto& group) {
-    std::vector<Ball> balls;
-    for (int k = 0; k < group.count; ++k) balls.push_back(list[at(group.first + k)].ball);
-    return balls;
-  };
-  for (CollisionTree::Body& body : result.bodies) body.ball = around(balls_of(result.spheres, body));
-  // Of the spheres themselves, because that is smaller.
-  for (CollisionTree::Link& link : result.links) {
-    std::vector<Ball> balls;
-    for (int k = 0; k < link.count; ++k)
-      for (const Ball& ball : balls_of(result.spheres, result.bodies[at(link.first + k)])) balls.push_back(ball);
-    link.ball = link.count == 1 ? result.bodies[at(link.first)].ball : around(balls);
-  }
-
-  std::map<std::array<int, 2>, std::set<std::array<int, 2>>> pairs;  // of links: of bodies
-  for (const auto& [i, k] : collision_pairs(tree, shapes)) {
-    std::array<int, 2> bodies = {body_of[i], body_of[k]};
-    if (bodies[0] > bodies[1]) std::swap(bodies[0], bodies[1]);
-    pairs[{link_of_body[at(bodies[0])], link_of_body[at(bodies[1])]}].insert(bodies);
-  }
-  for (const auto& [links, bodies] : pairs) {
+  std::map<std::array<int, 2>, std::vector<std::array<int, 2>>> by_links;
+  for (int a = 0; a < static_cast<int>(result.groups.size()); ++a)
+    for (int b = a + 1; b < static_cast<int>(result.groups.size()); ++b)
+      if (partners[at(shape_of_group[at(a)])].contains(at(shape_of_group[at(b)])))
+        by_links[{link_of_group[at(a)], link_of_group[at(b)]}].push_back({a, b});
+  for (const auto& [links, groups] : by_links) {
     result.link_pairs.push_back(
-        {links[0], links[1], static_cast<int>(result.body_pairs.size()), static_cast<int>(bodies.size())});
-    result.body_pairs.insert(result.body_pairs.end(), bodies.begin(), bodies.end());
+        {links[0], links[1], static_cast<int>(result.group_pairs.size()), static_cast<int>(groups.size())});
+    result.group_pairs.insert(result.group_pairs.end(), groups.begin(), groups.end());
   }
   return result;
 }

@@ -1,5 +1,5 @@
-// The collision shapes of a robot as spheres, inside spheres of bodies, inside spheres of links: a check whether
-// anything is hit ends early where a sphere that contains others is far away.
+// The collision shapes of a robot as spheres, inside spheres around a few of them, inside spheres around links: a check
+// whether anything is hit ends early where a sphere that contains others is far away.
 #pragma once
 
 #include <array>
@@ -20,27 +20,28 @@ struct CollisionTree {
     std::string name;  // Capsule::name
     Ball ball;
   };
-  struct Body {
-    std::string name;  // of the document: fixed joints may make one link of several
+  // A few spheres of a link that are near each other and are checked against the same shapes.
+  struct Group {
+    std::string name;  // of their bodies in the document, of which fixed joints may make one link
     Ball ball;         // contains its spheres
     int first = 0, count = 0;
   };
   struct Link {
     int link = -1;
-    Ball ball;  // contains its bodies
+    Ball ball;  // contains its groups
     int first = 0, count = 0;
   };
-  // Two links, by their places in the list below, and the pairs of their bodies that are checked.
+  // Two links, by their places in the list below, and the pairs of their groups that are checked.
   struct LinkPair {
     int a = 0, b = 0;
     int first = 0, count = 0;
   };
 
-  std::vector<Sphere> spheres;  // those of a body are neighbours, and the bodies of a link
-  std::vector<Body> bodies;
+  std::vector<Sphere> spheres;  // those of a group are neighbours, and the groups of a link
+  std::vector<Group> groups;
   std::vector<Link> links;  // that have shapes, parents first
   std::vector<LinkPair> link_pairs;
-  std::vector<std::array<int, 2>> body_pairs;
+  std::vector<std::array<int, 2>> group_pairs;
   bool is_exact = true;  // all shapes are spheres
 };
 

@@ -5,6 +5,7 @@
 // The header <name>/collision_check.h of a robot has its shapes and functions that call these.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -22,7 +23,7 @@ namespace robcogen {
 // The tables of a robot's shapes.
 namespace collision {
 
-// A sphere (m) around its members: bodies of a link, or spheres of a body.
+// A sphere (m) around its members: groups of spheres of a link, or spheres of a group.
 struct Group {
   int first, count;
   double radius;
@@ -30,7 +31,7 @@ struct Group {
 struct Pair {
   int a, b;
 };
-// Two links, and the pairs of their bodies that are checked.
+// Two links, and the pairs of their groups that are checked.
 struct LinkPair {
   int a, b, first, count;
 };
@@ -85,11 +86,17 @@ constexpr std::size_t at(int k) noexcept {
   return static_cast<std::size_t>(k);
 }
 
+// Of two points, m^2.
+template <class Scalar>
+ROBCOGEN_INLINE Scalar squared_distance(const Scalar* a, const Scalar* b) noexcept {
+  const Scalar x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  return x * x + y * y + z * z;
+}
+
 // The lanes in which the points a and b (m) are nearer to each other than this distance.
 template <class Scalar>
 ROBCOGEN_INLINE LaneSet nearer(const Scalar* a, const Scalar* b, double distance) noexcept {
-  const Scalar x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return negative(x * x + y * y + z * z - Scalar(distance * distance));
+  return negative(squared_distance(a, b) - Scalar(distance * distance));
 }
 
 // Whether any lane is hit: the check ends with the first one.
@@ -120,14 +127,76 @@ struct Nothing {
   }
 };
 
+// The type of the numbers in the lanes of a scalar.
+template <class Scalar>
+struct NumberIn {
+  using type = Scalar;
+};
+template <class Scalar, int kSize>
+struct NumberIn<Lanes<Scalar, kSize>> {
+  using type = Scalar;
+};
+
+// Distances between centres at which spheres touch, squared.
+template <class Shapes, class Number>
+constexpr auto kLinkDistances = [] {
+  std::array<Number, Shapes::kLinkPairs.size()> result{};
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const LinkPair& pair = Shapes::kLinkPairs[k];
+    const double distance = Shapes::kLinks[at(pair.a)].radius + Shapes::kLinks[at(pair.b)].radius;
+    result[k] = static_cast<Number>(distance * distance);
+  }
+  return result;
+}();
+
+// The centres of all spheres of a state, as far as they are placed. What contains one member alone is this member.
+template <class Shapes, class Scalar>
+class Places {
+ public:
+  // Places the links in turn, until placed(link) is true, and returns that.
+  template <class Placed>
+  ROBCOGEN_INLINE bool place(const Scalar* q, const Placed& placed) noexcept {
+    q_ = q;
+    return Shapes::place(q, workspace_, links_, placed);
+  }
+  ROBCOGEN_INLINE const Scalar* link(int l) const noexcept { return links_ + 3 * l; }
+  // Of a link that is placed.
+  ROBCOGEN_INLINE const Scalar* group(int l, int g) noexcept {
+    if (Shapes::kLinks[at(l)].count == 1) return link(l);
+    if (!are_groups_placed_[l]) {
+      are_groups_placed_[l] = true;
+      Shapes::place_groups(l, q_, workspace_, groups_);
+    }
+    return groups_ + 3 * g;
+  }
+  // The spheres of the group, one after another.
+  ROBCOGEN_INLINE const Scalar* spheres(int l, int g) noexcept {
+    const Group& of = Shapes::kGroups[at(g)];
+    if (of.count == 1) return group(l, g);
+    if (!are_spheres_placed_[g]) {
+      are_spheres_placed_[g] = true;
+      Shapes::place_spheres(g, q_, workspace_, spheres_);
+    }
+    return spheres_ + 3 * of.first;
+  }
+
+ private:
+  const Scalar* q_;
+  bool are_groups_placed_[Shapes::kLinkCount] = {};
+  bool are_spheres_placed_[Shapes::kGroupCount] = {};
+  Scalar workspace_[Shapes::kWorkspace];
+  Scalar links_[3 * Shapes::kLinkCount];
+  Scalar groups_[3 * Shapes::kGroupCount];
+  Scalar spheres_[3 * Shapes::kSphereCount];
+};
+
 template <class Shapes, class Scalar, class Obstacles, class Found>
 class Check {
  public:
-  ROBCOGEN_INLINE Check(const Scalar* q, const Obstacles& obstacles, Found& lanes) noexcept
-      : q_(q), obstacles_(obstacles), lanes_(lanes) {}
+  ROBCOGEN_INLINE Check(const Obstacles& obstacles, Found& found) noexcept : obstacles_(obstacles), found_(found) {}
 
-  ROBCOGEN_INLINE void run() noexcept {
-    const bool ends = Shapes::place(q_, workspace_, links_, [this](int link) noexcept {
+  ROBCOGEN_INLINE void run(const Scalar* q) noexcept {
+    const bool ends = places_.place(q, [this](int link) noexcept {
       if constexpr (!std::is_same_v<Obstacles, Nothing>) return obstacle_ends(link);
       return (void)link, false;
     });
@@ -135,74 +204,92 @@ class Check {
   }
 
  private:
-  const Scalar* q_;
-  const Obstacles& obstacles_;
-  Found& lanes_;
-  bool is_inside_placed_[Shapes::kLinkCount] = {};
-  Scalar workspace_[Shapes::kWorkspace];
-  Scalar links_[3 * Shapes::kLinkCount];
-  Scalar bodies_[3 * Shapes::kBodyCount];
-  Scalar spheres_[3 * Shapes::kSphereCount];
+  using Number = typename NumberIn<Scalar>::type;
 
-  ROBCOGEN_INLINE void place_inside(int link) noexcept {
-    if (is_inside_placed_[link]) return;
-    is_inside_placed_[link] = true;
-    Shapes::place_inside(link, q_, workspace_, bodies_, spheres_);
-  }
+  const Obstacles& obstacles_;
+  Found& found_;
+  Places<Shapes, Scalar> places_;
 
   ROBCOGEN_INLINE LaneSet at_obstacle(const Scalar* center, double radius) const noexcept {
     return static_cast<LaneSet>(obstacles_(center[0], center[1], center[2], radius));
   }
 
   // A sphere around one member is this member, and is not looked at twice.
-  bool obstacle_ends(int link) noexcept {
-    const Group& l = Shapes::kLinks[at(link)];
-    LaneSet near = at_obstacle(links_ + 3 * link, l.radius);
-    if (!lanes_.matter(near)) return false;
-    if (l.count == 1 && Shapes::kBodies[at(l.first)].count == 1) return lanes_.end(near);
-    place_inside(link);
-    for (int b = l.first; b < l.first + l.count; ++b) {
-      const Group& body = Shapes::kBodies[at(b)];
-      if (l.count > 1) near = at_obstacle(bodies_ + 3 * b, body.radius);
-      if (!lanes_.matter(near)) continue;
-      if (body.count == 1) {
-        if (lanes_.end(near)) return true;
+  bool obstacle_ends(int l) noexcept {
+    const Group& link = Shapes::kLinks[at(l)];
+    LaneSet near = at_obstacle(places_.link(l), link.radius);
+    if (!found_.matter(near)) return false;
+    for (int g = link.first; g < link.first + link.count; ++g) {
+      const Group& group = Shapes::kGroups[at(g)];
+      if (link.count > 1) near = at_obstacle(places_.group(l, g), group.radius);
+      if (!found_.matter(near)) continue;
+      if (group.count == 1) {
+        if (found_.end(near)) return true;
         continue;
       }
-      for (int s = body.first; s < body.first + body.count; ++s)
-        if (lanes_.end(at_obstacle(spheres_ + 3 * s, Shapes::kRadii[at(s)]))) return true;
+      const Scalar* sphere = places_.spheres(l, g);
+      for (int s = 0; s < group.count; ++s)
+        if (found_.end(at_obstacle(sphere + 3 * s, Shapes::kRadii[at(group.first + s)]))) return true;
     }
     return false;
   }
 
   bool pairs_end() noexcept {
-    for (const LinkPair& pair : Shapes::kLinkPairs) {
-      const double distance = Shapes::kLinks[at(pair.a)].radius + Shapes::kLinks[at(pair.b)].radius;
-      if (lanes_.matter(nearer(links_ + 3 * pair.a, links_ + 3 * pair.b, distance)) && pair_ends(pair)) return true;
+    for (std::size_t k = 0; k < Shapes::kLinkPairs.size(); ++k) {
+      const LinkPair& pair = Shapes::kLinkPairs[k];
+      const Scalar distance(kLinkDistances<Shapes, Number>[k]);
+      if (found_.matter(negative(squared_distance(places_.link(pair.a), places_.link(pair.b)) - distance)) &&
+          pair_ends(pair))
+        return true;
     }
     return false;
   }
 
-  bool pair_ends(const LinkPair& links) noexcept {
-    place_inside(links.a);
-    place_inside(links.b);
-    for (int p = links.first; p < links.first + links.count; ++p) {
-      const auto [a, b] = Shapes::kBodyPairs[at(p)];
-      const Group &first = Shapes::kBodies[a], &second = Shapes::kBodies[at(b)];
-      const LaneSet near = nearer(bodies_ + 3 * a, bodies_ + 3 * b, first.radius + second.radius);
-      if (!lanes_.matter(near)) continue;
-      if (first.count == 1 && second.count == 1) {
-        if (lanes_.end(near)) return true;
+  // The larger sphere of two is taken apart first.
+  bool pair_ends(const LinkPair& pair) noexcept {
+    const bool is_first = Shapes::kLinks[at(pair.a)].radius > Shapes::kLinks[at(pair.b)].radius;
+    const int outer = is_first ? pair.a : pair.b, inner = is_first ? pair.b : pair.a;
+    const Group &large = Shapes::kLinks[at(outer)], &small = Shapes::kLinks[at(inner)];
+    if (large.count * small.count != pair.count) return groups_end(pair);
+    const Scalar* center = places_.link(inner);
+    for (int g = large.first; g < large.first + large.count; ++g) {
+      const Group& group = Shapes::kGroups[at(g)];
+      if (large.count > 1 &&
+          !found_.matter(nearer(places_.group(outer, g), center, group.radius + small.radius)))
         continue;
-      }
-      for (int s = first.first; s < first.first + first.count; ++s) {
-        const Scalar* sphere = spheres_ + 3 * s;
-        const double radius = Shapes::kRadii[at(s)];
-        if (!lanes_.matter(nearer(sphere, bodies_ + 3 * b, radius + second.radius))) continue;
-        for (int t = second.first; t < second.first + second.count; ++t)
-          if (lanes_.end(nearer(sphere, spheres_ + 3 * t, radius + Shapes::kRadii[at(t)]))) return true;
+      const Scalar* sphere = places_.spheres(outer, g);
+      for (int s = 0; s < group.count; ++s) {
+        const double radius = Shapes::kRadii[at(group.first + s)];
+        if (group.count > 1 && !found_.matter(nearer(sphere + 3 * s, center, radius + small.radius))) continue;
+        for (int h = small.first; h < small.first + small.count; ++h)
+          if (group_ends(sphere + 3 * s, radius, inner, h)) return true;
       }
     }
+    return false;
+  }
+
+  // Not every group of one link is checked against every group of the other one.
+  bool groups_end(const LinkPair& pair) noexcept {
+    for (int p = pair.first; p < pair.first + pair.count; ++p) {
+      const auto [a, b] = Shapes::kGroupPairs[at(p)];
+      const Group &first = Shapes::kGroups[at(a)], &second = Shapes::kGroups[at(b)];
+      const double distance = first.radius + second.radius;
+      if (!found_.matter(nearer(places_.group(pair.a, a), places_.group(pair.b, b), distance))) continue;
+      const Scalar* sphere = places_.spheres(pair.a, a);
+      for (int s = 0; s < first.count; ++s)
+        if (group_ends(sphere + 3 * s, Shapes::kRadii[at(first.first + s)], pair.b, b)) return true;
+    }
+    return false;
+  }
+
+  bool group_ends(const Scalar* sphere, double radius, int link, int g) noexcept {
+    const Group& group = Shapes::kGroups[at(g)];
+    const LaneSet near = nearer(sphere, places_.group(link, g), radius + group.radius);
+    if (!found_.matter(near)) return false;
+    if (group.count == 1) return found_.end(near);
+    const Scalar* other = places_.spheres(link, g);
+    for (int s = 0; s < group.count; ++s)
+      if (found_.end(nearer(sphere, other + 3 * s, radius + Shapes::kRadii[at(group.first + s)]))) return true;
     return false;
   }
 };
@@ -217,9 +304,9 @@ namespace {
 // bit for each lane, or, if only one answer for all lanes is asked for, a bool.
 template <class Shapes, class Scalar, class Obstacles>
 ROBCOGEN_INLINE bool in_collision(const Scalar* q, const Obstacles& obstacles) noexcept {
-  collision::AnyLane lanes;
-  collision::Check<Shapes, Scalar, Obstacles, collision::AnyLane>(q, obstacles, lanes).run();
-  return lanes.hit != 0;
+  collision::AnyLane found;
+  collision::Check<Shapes, Scalar, Obstacles, collision::AnyLane>(obstacles, found).run(q);
+  return found.hit != 0;
 }
 
 template <class Shapes, class Scalar>
@@ -230,9 +317,9 @@ ROBCOGEN_INLINE bool self_collision(const Scalar* q) noexcept {
 // The lanes in which it does, a bit for each.
 template <class Shapes, class Scalar, class Obstacles>
 ROBCOGEN_INLINE collision::LaneSet lanes_in_collision(const Scalar* q, const Obstacles& obstacles) noexcept {
-  collision::EachLane lanes{collision::kAllLanes<Scalar>};
-  collision::Check<Shapes, Scalar, Obstacles, collision::EachLane>(q, obstacles, lanes).run();
-  return lanes.hit;
+  collision::EachLane found{collision::kAllLanes<Scalar>};
+  collision::Check<Shapes, Scalar, Obstacles, collision::EachLane>(obstacles, found).run(q);
+  return found.hit;
 }
 
 }  // namespace

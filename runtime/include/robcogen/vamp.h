@@ -22,7 +22,7 @@
 namespace robcogen {
 
 // Traits: Shapes (of collision_check.h); kName, kEndEffector and kJointNames; kLow and kRange (rad, m), by joint;
-// kAttachmentBodies, the bodies that what is attached to the end effector must not touch; and end_effector(q, X), the
+// kAttachmentGroups, the groups of spheres that what is attached to the end effector must not touch; and end_effector(q, X), the
 // 4 x 4 pose X, column by column, of the end effector in the base.
 template <class Traits>
 struct VampRobot {
@@ -117,9 +117,9 @@ struct VampRobot {
     ::vamp::collision::set_attachment_pose(environment, X);
     if (::vamp::attachment_environment_collision(environment)) return false;
     const Placed<rake> placed(x);
-    for (const int body : Traits::kAttachmentBodies)
-      for (int k = 0; k < Shapes::kBodies[at(body)].count; ++k) {
-        const auto s = static_cast<std::size_t>(Shapes::kBodies[at(body)].first + k);
+    for (const int group : Traits::kAttachmentGroups)
+      for (int k = 0; k < Shapes::kGroups[at(group)].count; ++k) {
+        const auto s = static_cast<std::size_t>(Shapes::kGroups[at(group)].first + k);
         if (::vamp::attachment_sphere_collision<Vector>(
                 environment, vector<rake>(placed.spheres[3 * s]), vector<rake>(placed.spheres[3 * s + 1]),
                 vector<rake>(placed.spheres[3 * s + 2]), radius(s)))
@@ -139,8 +139,8 @@ struct VampRobot {
       result.first.push_back(::vamp::sphere_environment_get_collisions<Vector>(
           environment, vector<rake>(placed.spheres[3 * s]), vector<rake>(placed.spheres[3 * s + 1]),
           vector<rake>(placed.spheres[3 * s + 2]), radius(s)));
-    for (const collision::Pair& pair : Shapes::kBodyPairs) {
-      const collision::Group &a = Shapes::kBodies[at(pair.a)], &b = Shapes::kBodies[at(pair.b)];
+    for (const collision::Pair& pair : Shapes::kGroupPairs) {
+      const collision::Group &a = Shapes::kGroups[at(pair.a)], &b = Shapes::kGroups[at(pair.b)];
       for (int i = a.first; i < a.first + a.count; ++i)
         for (int k = b.first; k < b.first + b.count; ++k)
           if (collision::nearer(
@@ -188,7 +188,7 @@ struct VampRobot {
     return result;
   }
 
-  // All spheres.
+  // The centres of all spheres.
   template <std::size_t rake>
   struct Placed {
     using Value = typename Positions<rake>::Value;
@@ -196,10 +196,15 @@ struct VampRobot {
 
     explicit Placed(const ConfigurationBlock<rake>& x) noexcept {
       const Positions<rake> q(x);
-      Value workspace[Shapes::kWorkspace], links[3 * Shapes::kLinkCount], bodies[3 * Shapes::kBodyCount];
-      Shapes::place(q.data, workspace, links, [](int) { return false; });
-      for (int link = 0; link < Shapes::kLinkCount; ++link)
-        Shapes::place_inside(link, q.data, workspace, bodies, spheres.data());
+      collision::Places<Shapes, Value> places;
+      places.place(q.data, [](int) { return false; });
+      for (int link = 0; link < Shapes::kLinkCount; ++link) {
+        const collision::Group& of = Shapes::kLinks[at(link)];
+        for (int g = of.first; g < of.first + of.count; ++g) {
+          const collision::Group& group = Shapes::kGroups[at(g)];
+          std::copy_n(places.spheres(link, g), 3 * group.count, spheres.data() + 3 * group.first);
+        }
+      }
     }
   };
 };

@@ -12,7 +12,7 @@ namespace {
 
 using symbolic::Role;
 
-enum Output { kLinks, kBodies, kSpheres };
+enum Output { kLinks, kGroups, kSpheres };
 
 void add_columns(symbolic::OutputElements& elements, Output output, int first, int count) {
   for (int k = 3 * first; k < 3 * (first + count); ++k) elements.push_back({output, k});
@@ -27,7 +27,7 @@ symbolic::Program collision_check(
   Trace trace(tree);
   const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
   const std::vector<PathPose> poses = link_poses(trace, q);
-  std::vector<Expression> links, bodies, spheres;
+  std::vector<Expression> links, groups, spheres;
   const auto place = [&](int link, const model::Ball& ball, std::vector<Expression>& centers) {
     const PathPose& pose = poses[at(link)];
     Vector3 center;
@@ -38,35 +38,41 @@ symbolic::Program collision_check(
   for (const model::CollisionTree::Link& link : shapes.links) {
     trace.section(tree.links[at(link.link)].name, "sphere around link ", "");
     place(link.link, link.ball, links);
-    for (int b = link.first; b < link.first + link.count; ++b) {
-      const model::CollisionTree::Body& body = shapes.bodies[at(b)];
-      trace.section(body.name, "spheres of ", "");
-      place(link.link, body.ball, bodies);
-      for (int k = body.first; k < body.first + body.count; ++k) place(link.link, shapes.spheres[at(k)].ball, spheres);
+    for (int g = link.first; g < link.first + link.count; ++g) {
+      const model::CollisionTree::Group& group = shapes.groups[at(g)];
+      trace.section(group.name, "spheres of ", "");
+      place(link.link, group.ball, groups);
+      for (int k = group.first; k < group.first + group.count; ++k) place(link.link, shapes.spheres[at(k)].ball, spheres);
     }
   }
   const auto output = [&](const char* array, const std::vector<Expression>& centers) {
     trace.output(array, Role::matrix, 3, static_cast<int>(centers.size()) / 3, centers);
   };
   output("links", links);
-  output("bodies", bodies);
+  output("groups", groups);
   output("spheres", spheres);
   return trace.program(name);
 }
 
 symbolic::Stages in_stages(const symbolic::Program& program, const model::CollisionTree& shapes) {
   std::vector<symbolic::OutputElements> in_turn;
-  std::vector<symbolic::StageOnDemand> on_demand;
+  std::vector<symbolic::StageOnDemand> groups, spheres;
   for (std::size_t k = 0; k < shapes.links.size(); ++k) {
     const model::CollisionTree::Link& link = shapes.links[k];
     add_columns(in_turn.emplace_back(), kLinks, static_cast<int>(k), 1);
-    symbolic::StageOnDemand& inside = on_demand.emplace_back();
-    inside.after = static_cast<int>(k);
-    add_columns(inside.elements, kBodies, link.first, link.count);
-    for (int b = link.first; b < link.first + link.count; ++b)
-      add_columns(inside.elements, kSpheres, shapes.bodies[at(b)].first, shapes.bodies[at(b)].count);
+    if (link.count > 1) {
+      groups.push_back({{}, static_cast<int>(k)});
+      add_columns(groups.back().elements, kGroups, link.first, link.count);
+    }
+    for (int g = link.first; g < link.first + link.count; ++g) {
+      const model::CollisionTree::Group& group = shapes.groups[at(g)];
+      if (group.count == 1) continue;
+      spheres.push_back({{}, static_cast<int>(k)});
+      add_columns(spheres.back().elements, kSpheres, group.first, group.count);
+    }
   }
-  return symbolic::cut_outputs(program, in_turn, on_demand);
+  groups.insert(groups.end(), spheres.begin(), spheres.end());
+  return symbolic::cut_outputs(program, in_turn, groups);
 }
 
 }  // namespace robcogen::algorithm

@@ -13,12 +13,37 @@ namespace {
 
 using model::CollisionTree;
 
+// A stage as a function: what it places is an element of an array, and of a list of the tables.
+struct PlacingStage {
+  const symbolic::Program* program;
+  const char* placed;  // `links`, `groups` or `spheres`
+  int place;           // of the link, or of the group
+  std::string what;
+
+  bool is_in_turn() const { return std::string(placed) == "links"; }
+  std::string name() const { return std::string(placed) + "_" + std::to_string(place); }
+};
+
+// In the order of CollisionCheck::stages.
+std::vector<PlacingStage> placing_stages(const Api& api, const backend::CollisionCheck& check) {
+  std::vector<PlacingStage> list;
+  const auto add = [&](const char* placed, std::size_t place, const std::string& what) {
+    list.push_back({&check.stages.list[list.size()].program, placed, static_cast<int>(place), what});
+  };
+  const CollisionTree& shapes = check.shapes;
+  const auto name_of = [&](const CollisionTree::Link& link) { return api.library->tree.links[at(link.link)].name; };
+  for (std::size_t k = 0; k < shapes.links.size(); ++k) add("links", k, "The sphere around " + name_of(shapes.links[k]));
+  for (std::size_t k = 0; k < shapes.links.size(); ++k)
+    if (shapes.links[k].count > 1) add("groups", k, "The spheres around the groups of " + name_of(shapes.links[k]));
+  for (std::size_t g = 0; g < shapes.groups.size(); ++g)
+    if (shapes.groups[g].count > 1) add("spheres", g, "The spheres of a group: " + shapes.groups[g].name);
+  return list;
+}
+
 // The arrays of a stage, under the names that all stages give them.
-std::vector<KernelArray> arrays_of(const Kernel& kernel, bool is_inside) {
-  std::vector<KernelArray> list = {{"q", false, false}, {symbolic::kWorkspace, !is_inside, false}};
-  if (!is_inside) list.push_back({"links", true, false});
-  if (is_inside)
-    for (const char* name : {"bodies", "spheres"}) list.push_back({name, true, false});
+std::vector<KernelArray> arrays_of(const Kernel& kernel, const PlacingStage& stage) {
+  std::vector<KernelArray> list = {
+      {"q", false, false}, {symbolic::kWorkspace, stage.is_in_turn(), false}, {stage.placed, true, false}};
   for (KernelArray& array : list)
     array.used = std::any_of(kernel.parameters.begin(), kernel.parameters.end(), [&](const KernelArray& parameter) {
       return parameter.name == array.name && parameter.used;
@@ -26,20 +51,14 @@ std::vector<KernelArray> arrays_of(const Kernel& kernel, bool is_inside) {
   return list;
 }
 
-// Stages in turn are parts of one function; the others run only where something is near.
-std::string print_stages(const Api& api, const backend::CollisionCheck& check) {
+// Stages in turn are parts of one function.
+std::string print_stages(const std::vector<PlacingStage>& stages) {
   std::vector<std::string> list;
-  const std::size_t count = check.shapes.links.size();
-  for (std::size_t k = 0; k < check.stages.list.size(); ++k) {
-    const bool is_inside = k >= count;
-    const std::string& name = api.library->tree.links[at(check.shapes.links[k % count].link)].name;
-    Kernel kernel = lower(check.stages.list[k].program, check.stages.list[k].program.name);
-    const std::string specifiers = is_inside ? "[[gnu::noinline]] void inside_" : "[[gnu::always_inline]] inline void around_";
-    const std::string head = specifiers + std::to_string(k % count);
+  for (const PlacingStage& stage : stages) {
+    const Kernel kernel = lower(*stage.program, stage.program->name);
+    const std::string head = (stage.is_in_turn() ? "[[gnu::always_inline]] inline void " : "void ") + stage.name();
     list.push_back(
-        comment((is_inside ? "The spheres of link " : "The sphere around link ") + name + ".") +
-        signature(head, arrays_of(kernel, is_inside), kernel.lines.empty() ? " noexcept {}" : " noexcept {") +
-        (kernel.lines.empty() ? "" : body(kernel) + "}\n"));
+        comment(stage.what + ".") + signature(head, arrays_of(kernel, stage), " noexcept {") + body(kernel) + "}\n");
   }
   return paragraphs(list);
 }
@@ -63,72 +82,82 @@ std::string array(const std::string& type, const std::string& name, const std::v
   return text + "  }};\n";
 }
 
-template <class Group>
-std::string group(const Group& g) {
+template <class Spheres>
+std::string group(const Spheres& g) {
   return "{" + std::to_string(g.first) + ", " + std::to_string(g.count) + ", " + print_double(g.ball.radius) + "}";
 }
 
 std::string print_tables(const Api& api, const backend::CollisionCheck& check) {
   const CollisionTree& shapes = check.shapes;
   const auto number = [](int k) { return std::to_string(k); };
-  std::vector<std::string> links, link_names, bodies, body_names, radii, link_pairs, body_pairs;
+  std::vector<std::string> links, link_names, groups, group_names, radii, link_pairs, group_pairs;
   for (const CollisionTree::Link& link : shapes.links) {
     links.push_back(group(link));
     link_names.push_back(api.library->tree.links[at(link.link)].name);
   }
-  for (const CollisionTree::Body& body : shapes.bodies) {
-    bodies.push_back(group(body));
-    body_names.push_back(body.name);
+  for (const CollisionTree::Group& g : shapes.groups) {
+    groups.push_back(group(g));
+    group_names.push_back(g.name);
   }
   for (const CollisionTree::Sphere& sphere : shapes.spheres) radii.push_back(print_double(sphere.ball.radius));
   for (const CollisionTree::LinkPair& pair : shapes.link_pairs)
     link_pairs.push_back(
         "{" + number(pair.a) + ", " + number(pair.b) + ", " + number(pair.first) + ", " + number(pair.count) + "}");
-  for (const auto& [a, b] : shapes.body_pairs) body_pairs.push_back("{" + number(a) + ", " + number(b) + "}");
-  return "  static constexpr int kLinkCount = " + number(static_cast<int>(links.size())) + ", kBodyCount = " +
-         number(static_cast<int>(bodies.size())) + ", kSphereCount = " + number(static_cast<int>(radii.size())) +
+  for (const auto& [a, b] : shapes.group_pairs) group_pairs.push_back("{" + number(a) + ", " + number(b) + "}");
+  return "  static constexpr int kLinkCount = " + number(static_cast<int>(links.size())) + ", kGroupCount = " +
+         number(static_cast<int>(groups.size())) + ", kSphereCount = " + number(static_cast<int>(radii.size())) +
          ", kWorkspace = " + number(std::max(check.stages.workspace, 1)) + ";\n" +
-         "  // Of each link, the first of its bodies, their number, and the radius (m) of the sphere around them.\n" +
+         "  // Of each link, the first of its groups, their number, and the radius (m) of the sphere around them.\n" +
          array("robcogen::collision::Group", "kLinks", links, link_names) +
-         "  // The same of each body and its spheres.\n" +
-         array("robcogen::collision::Group", "kBodies", bodies, body_names) + "  // Of the spheres, m.\n" +
-         array("double", "kRadii", radii) + "  // Links, and pairs of their bodies that are checked.\n" +
+         "  // The same of each group and its spheres.\n" +
+         array("robcogen::collision::Group", "kGroups", groups, group_names) + "  // Of the spheres, m.\n" +
+         array("double", "kRadii", radii) + "  // Links, and pairs of their groups that are checked.\n" +
          array("robcogen::collision::LinkPair", "kLinkPairs", link_pairs) +
-         array("robcogen::collision::Pair", "kBodyPairs", body_pairs);
+         array("robcogen::collision::Pair", "kGroupPairs", group_pairs);
 }
 
-std::string print_members(std::size_t count) {
-  std::string place, inside;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::string number = std::to_string(k);
-    place += "    kernel::collision_check::around_" + number + "(q, workspace, links);\n    if (placed(" + number +
-             ")) return true;\n";
-    inside += "      case " + number + ":\n        return kernel::collision_check::inside_" + number +
-              "(q, workspace, bodies, spheres);\n";
-  }
+// A function that places what is inside of one link or group: nothing if that has one member only.
+std::string print_choice(const std::vector<PlacingStage>& stages, const std::string& placed, const char* of) {
+  std::string cases;
+  for (const PlacingStage& stage : stages)
+    if (stage.placed == placed)
+      cases += "      case " + std::to_string(stage.place) + ":\n        kernel::collision_check::" + stage.name() +
+               "(q, workspace, " + placed + ");\n        break;\n";
+  const std::string name = "place_" + placed, of_name = of;
+  if (cases.empty())
+    return "  template <class Scalar>\n" +
+           declaration("static void " + name, {"int", "const Scalar*", "const Scalar*", "Scalar*"}, " noexcept {}", 2);
+  return "  template <class Scalar>\n" +
+         declaration(
+             "[[gnu::noinline]] static void " + name,
+             {"int " + of_name, "const Scalar* q", "const Scalar* workspace", "Scalar* " + placed}, " noexcept {", 2) +
+         "    switch (" + of_name + ") {\n" + cases + "      default:\n        break;\n    }\n  }\n";
+}
+
+std::string print_members(const std::vector<PlacingStage>& stages) {
+  std::string place;
+  for (const PlacingStage& stage : stages)
+    if (stage.is_in_turn())
+      place += "    kernel::collision_check::" + stage.name() + "(q, workspace, links);\n    if (placed(" +
+               std::to_string(stage.place) + ")) return true;\n";
   return "  // Places the spheres around the links, each of which `placed` may say to be the last one.\n"
          "  template <class Scalar, class Placed>\n"
          "  static bool place(const Scalar* q, Scalar* workspace, Scalar* links, const Placed& placed) noexcept {\n" +
          place +
          "    return false;\n  }\n"
-         "  // Places the spheres of a link.\n"
-         "  template <class Scalar>\n"
-         "  static void place_inside(\n"
-         "      int link, const Scalar* q, const Scalar* workspace, Scalar* bodies, Scalar* spheres) noexcept {\n"
-         "    switch (link) {\n" +
-         inside + "      default:\n        break;\n    }\n  }\n";
+         "  // Place the spheres around the groups of a link, and those of a group, if there are several.\n" +
+         print_choice(stages, "groups", "link") + print_choice(stages, "spheres", "group");
 }
 
-std::string print_functions(const Api& api) {
-  const bool has_positions = model::has_own_positions(api.library->tree);
-  const std::string vector = has_positions ? "PositionVector<Scalar>" : "JointVector<Scalar>";
+std::string print_functions(const Api& api, const std::string& scalar) {
+  const std::string vector =
+      model::has_own_positions(api.library->tree) ? "PositionVector<" + scalar + ">" : "JointVector<" + scalar + ">";
   return "// Whether shapes of links overlap whose pair is checked.\n"
-         "template <class Scalar>\n"
-         "bool self_collision(const " + vector + "& q) noexcept {\n"
+         "inline bool self_collision(const " + vector + "& q) noexcept {\n"
          "  return robcogen::self_collision<CollisionShapes>(q.data());\n}\n\n"
          "// The same, or whether a shape touches an obstacle: obstacles(x, y, z, radius) tells whether a sphere does, "
          "whose\n// centre (m) is in base axes.\n"
-         "template <class Scalar, class Obstacles>\n"
+         "template <class Obstacles>\n"
          "bool in_collision(const " + vector + "& q, const Obstacles& obstacles) noexcept {\n"
          "  return robcogen::in_collision<CollisionShapes>(q.data(), obstacles);\n}\n";
 }
@@ -142,21 +171,23 @@ std::string print_collision_check(const Api& api, const std::string& path) {
         {banner(library, path, "no checks, because the robot has no collision shapes, or parameters that move them"),
          "#pragma once\n"});
   const backend::CollisionCheck& check = *library.collision_check;
+  const std::vector<PlacingStage> stages = placing_stages(api, check);
   const std::string shapes =
       (check.shapes.is_exact ? ""
                              : comment("Shapes that are not spheres are rows of spheres that contain their capsules.")) +
-      "struct CollisionShapes {\n" + print_tables(api, check) + "\n" + print_members(check.shapes.links.size()) + "};\n";
-  const std::string stages = print_stages(api, check);
-  std::vector<std::string> headers = {"\"robcogen/collision_check.h\"", "\"robcogen/sincos_of.h\"",
-                                      "\"robcogen/version.h\""};
-  if (stages.find(kMagnitude) != std::string::npos) headers.push_back("\"robcogen/magnitude.h\"");
-  if (stages.find(kArcTangent) != std::string::npos) headers.push_back("\"robcogen/arc_tangent.h\"");
+      "struct CollisionShapes {\n" + print_tables(api, check) + "\n" + print_members(stages) + "};\n";
+  const std::string kernels = print_stages(stages);
+  std::vector<std::string> headers = {
+      "\"robcogen/collision_check.h\"", "\"robcogen/sincos_of.h\"", "\"robcogen/version.h\""};
+  if (kernels.find(kMagnitude) != std::string::npos) headers.push_back("\"robcogen/magnitude.h\"");
+  if (kernels.find(kArcTangent) != std::string::npos) headers.push_back("\"robcogen/arc_tangent.h\"");
+  const std::string single = library.has_single_precision ? in_namespace("f32", print_functions(api, "float")) : "";
   return paragraphs(
       {banner(library, path, "whether the robot touches itself or an obstacle"), "#pragma once\n",
        includes({"<array>", "<cmath>"}), includes(headers),
        includes({quoted(header_path(folder(library), "types"))}), runtime_check(api),
-       in_namespace(api.space + "::kernel::collision_check", stages),
-       in_namespace(api.space, paragraphs({shapes, print_functions(api)}))});
+       in_namespace(api.space + "::kernel::collision_check", kernels),
+       in_namespace(api.space, paragraphs({shapes, print_functions(api, "double"), single}))});
 }
 
 }  // namespace robcogen::backend::cpp

@@ -55,17 +55,17 @@ std::string array(const std::string& type, const char* name, const std::vector<s
   return text + "      " + row + "\n  }};\n";
 }
 
-// The bodies that are checked against one of the end effector's link.
-std::vector<std::string> attachment_bodies(const CollisionCheck& check, int link) {
-  std::set<int> bodies;
+// The groups that are checked against one of the end effector's link.
+std::vector<std::string> attachment_groups(const CollisionCheck& check, int link) {
+  std::set<int> groups;
   for (const model::CollisionTree::LinkPair& pair : check.shapes.link_pairs)
     for (int p = pair.first; p < pair.first + pair.count; ++p) {
-      const auto& [a, b] = check.shapes.body_pairs[at(p)];
-      if (check.shapes.links[at(pair.a)].link == link) bodies.insert(b);
-      if (check.shapes.links[at(pair.b)].link == link) bodies.insert(a);
+      const auto& [a, b] = check.shapes.group_pairs[at(p)];
+      if (check.shapes.links[at(pair.a)].link == link) groups.insert(b);
+      if (check.shapes.links[at(pair.b)].link == link) groups.insert(a);
     }
   std::vector<std::string> result;
-  for (const int body : bodies) result.push_back(std::to_string(body));
+  for (const int group : groups) result.push_back(std::to_string(group));
   return result;
 }
 
@@ -134,8 +134,8 @@ OutputFile print(const Library& library, const std::string& end_effector) {
       "  static constexpr const char* kEndEffector = " + quoted(end_effector) + ";\n" +
       array("std::string_view", "kJointNames", names) + "  // rad, m: the lower limits, and the distances of the upper ones.\n" +
       array("float", "kLow", low) + array("float", "kRange", range) +
-      "  // Bodies that what is attached to the end effector must not touch.\n" +
-      array("int", "kAttachmentBodies", attachment_bodies(*library.collision_check, link)) +
+      "  // Groups of spheres that what is attached to the end effector must not touch.\n" +
+      array("int", "kAttachmentGroups", attachment_groups(*library.collision_check, link)) +
       "  template <class Scalar>\n"
       "  static void end_effector(const Scalar* q, Scalar* X) noexcept {\n"
       "    kernel::" + pose_of(api, end_effector).kernel + "(q, X);\n  }\n};\n";
