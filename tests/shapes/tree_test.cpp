@@ -32,19 +32,19 @@ TEST(CollisionTree, ASphereAroundOthersIsHardlyLargerThanTheSmallest) {
     for (const Ball& ball : balls) EXPECT_TRUE(contains(model::around(balls), ball));
 }
 
-TEST(CollisionTree, GroupsAndLinksContainTheirSpheres) {
+TEST(CollisionTree, GroupsAndPartsContainTheirSpheres) {
   const Loaded robot = loaded(std::filesystem::path(TEST_SOURCE_DIR) / "spheres.urdf", checked());
   const model::CollisionTree tree = model::collision_tree(robot.tree());
   ASSERT_EQ(tree.spheres.size(), 10U);
-  ASSERT_EQ(tree.links.size(), 4U);
+  ASSERT_EQ(tree.parts.size(), 4U);
   EXPECT_TRUE(tree.is_exact);
-  for (const model::CollisionTree::Link& link : tree.links)
-    for (int g = link.first; g < link.first + link.count; ++g) {
+  for (const model::CollisionTree::Part& part : tree.parts)
+    for (int g = part.first; g < part.first + part.count; ++g) {
       const model::CollisionTree::Group& group = tree.groups[at(g)];
       EXPECT_LE(group.count, 4);
       for (int s = group.first; s < group.first + group.count; ++s) {
         EXPECT_TRUE(contains(group.ball, tree.spheres[at(s)].ball)) << group.name;
-        EXPECT_TRUE(contains(link.ball, tree.spheres[at(s)].ball)) << group.name;
+        EXPECT_TRUE(contains(part.ball, tree.spheres[at(s)].ball)) << group.name;
       }
     }
 }
@@ -55,15 +55,19 @@ TEST(CollisionTree, PairsAreThoseOfTheShapes) {
   const model::CollisionTree tree = model::collision_tree(robot.tree());
   const std::vector<model::Capsule> shapes = model::capsules(robot.tree());
   std::multiset<std::set<std::string>> expected, found;
-  for (const auto& [i, k] : model::collision_pairs(robot.tree(), shapes)) expected.insert({shapes[i].name, shapes[k].name});
-  for (const model::CollisionTree::LinkPair& pair : tree.link_pairs)
-    for (int p = pair.first; p < pair.first + pair.count; ++p) {
-      const auto& [a, b] = tree.group_pairs[at(p)];
-      const model::CollisionTree::Group &first = tree.groups[at(a)], &second = tree.groups[at(b)];
-      for (int s = first.first; s < first.first + first.count; ++s)
-        for (int t = second.first; t < second.first + second.count; ++t)
-          found.insert({tree.spheres[at(s)].name, tree.spheres[at(t)].name});
-    }
+  for (const auto& [i, k] : model::collision_pairs(robot.tree(), shapes))
+    expected.insert({shapes[i].name, shapes[k].name});
+  const auto spheres_of = [&](int place) {
+    std::vector<std::string> names;
+    const model::CollisionTree::Part& part = tree.parts[at(place)];
+    for (int g = part.first; g < part.first + part.count; ++g)
+      for (int k = 0; k < tree.groups[at(g)].count; ++k)
+        names.push_back(tree.spheres[at(tree.groups[at(g)].first + k)].name);
+    return names;
+  };
+  for (const auto& [a, b] : tree.pairs)
+    for (const std::string& first : spheres_of(a))
+      for (const std::string& second : spheres_of(b)) found.insert({first, second});
   EXPECT_EQ(found, expected);
 }
 
@@ -78,16 +82,18 @@ TEST(CollisionTree, RowsOfSpheresContainCapsules) {
       if (sphere.name == capsule.name) row.push_back(sphere.ball);
     for (const Ball& ball : row) EXPECT_LE(ball.radius, 1.125 * capsule.radius);
     // Points on the surface: beside the axis, and beyond its ends.
-    const Point along = {capsule.ends[1][0] - capsule.ends[0][0], capsule.ends[1][1] - capsule.ends[0][1],
-                         capsule.ends[1][2] - capsule.ends[0][2]};
+    const Point along = {
+        capsule.ends[1][0] - capsule.ends[0][0], capsule.ends[1][1] - capsule.ends[0][1],
+        capsule.ends[1][2] - capsule.ends[0][2]};
     const double length = std::hypot(along[0], along[1], along[2]);
     const Point axis = length > 0 ? Point{along[0] / length, along[1] / length, along[2] / length} : Point{0, 0, 1};
     const Point side = std::abs(axis[0]) < 0.5 ? Point{0, -axis[2], axis[1]} : Point{-axis[1], axis[0], 0};
     const double norm = std::hypot(side[0], side[1], side[2]);
     for (int k = 0; k <= 100; ++k) {
       const Point p = between(capsule.ends[0], capsule.ends[1], k / 100.0);
-      const Point surface = {p[0] + capsule.radius * side[0] / norm, p[1] + capsule.radius * side[1] / norm,
-                             p[2] + capsule.radius * side[2] / norm};
+      const Point surface = {
+          p[0] + capsule.radius * side[0] / norm, p[1] + capsule.radius * side[1] / norm,
+          p[2] + capsule.radius * side[2] / norm};
       bool is_inside = false;
       for (const Ball& ball : row) is_inside = is_inside || distance(ball.center, surface) <= ball.radius + 1e-12;
       EXPECT_TRUE(is_inside) << capsule.name << " at " << k;

@@ -35,8 +35,8 @@ enum class ColumnLoops {
 // A check of collisions that ends early.
 struct CollisionCheck {
   model::CollisionTree shapes;
-  // The sphere around each link of `shapes` in turn; then, on demand, those around the groups of each link with several
-  // groups, and those of each group with several spheres. Inputs: q and the workspace; outputs: `links`, `groups` and
+  // One that places the spheres around all parts; then, on demand, those around the groups of each part with several
+  // groups, and those of each group with several spheres. Inputs: q and the workspace; outputs: `parts`, `groups` and
   // `spheres`, and the workspace.
   symbolic::Stages stages;
 };
@@ -44,11 +44,11 @@ struct CollisionCheck {
 // The forms of programs that a language uses.
 struct Features {
   bool caches_parameters =
-      false;                 // functions read values that depend on parameters alone from a cache: Library::updates
-  bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
-  bool has_both = false;     // the same, beside the program that is the fastest without lanes
+      false;               // functions read values that depend on parameters alone from a cache: Library::updates
+  bool has_lanes = false;  // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool has_both = false;   // the same, beside the program that is the fastest without lanes
   bool checks_collisions = false;  // there are checks that end early: Library::collision_check
-  bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
+  bool takes_sines = false;        // functions take precomputed sines and cosines: Library::trigonometry
   ColumnLoops column_loops = ColumnLoops::none;
 };
 

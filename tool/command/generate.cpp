@@ -87,7 +87,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
   const ModelOptions& model = options.model;
   std::vector<std::string> groups = options.groups;
-  if (groups.empty() && !(model.contacts.empty() && model.inverses.empty() && model.functions.empty() && options.vamp.empty()))
+  if (groups.empty() &&
+      !(model.contacts.empty() && model.inverses.empty() && model.functions.empty() && options.vamp.empty()))
     groups = algorithm::default_groups();
   if (options.groups.empty() && !model.contacts.empty()) groups.emplace_back("contacts");
   if (options.groups.empty() && !model.inverses.empty()) groups.emplace_back("inverse_kinematics");
@@ -115,8 +116,8 @@ bool prepare_compatibility(const GenerateOptions& options, driver::Model& model)
   return true;
 }
 
-// Adds the transform of the end effector, which becomes the name of its frame. Returns false if VAMP cannot plan for the
-// robot, or the robot has no such frame.
+// Adds the transform of the end effector, which becomes the name of its frame. Returns false if VAMP cannot plan for
+// the robot, or the robot has no such frame.
 bool prepare_vamp(GenerateOptions& options, driver::Model& model) {
   driver::Robot& robot = std::get<driver::Robot>(model.content);
   Diagnostics diagnostics;

@@ -35,9 +35,9 @@ std::optional<backend::CollisionCheck> collision_check(
     const Steps& steps) {
   if (std::find(groups.begin(), groups.end(), algorithm::kCollisionGroup) == groups.end()) return std::nullopt;
   backend::CollisionCheck result{model::collision_tree(tree), {}};
-  if (result.shapes.links.empty()) return std::nullopt;
-  const std::optional<symbolic::Program> program = without_parameters(
-      pass::run(algorithm::collision_check(tree, result.shapes, "collision_check"), steps.passes()));
+  if (result.shapes.parts.empty()) return std::nullopt;
+  const std::optional<symbolic::Program> program =
+      without_parameters(pass::run(algorithm::collision_check(tree, result.shapes, "collision_check"), steps.passes()));
   if (!program) return std::nullopt;
   result.stages = algorithm::in_stages(*program, result.shapes);
   return result;

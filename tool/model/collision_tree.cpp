@@ -67,6 +67,12 @@ std::vector<std::vector<ShapeBall>> clusters(std::vector<ShapeBall> spheres) {
   return result;
 }
 
+Ball around(const std::vector<ShapeBall>& spheres) {
+  std::vector<Ball> balls;
+  for (const ShapeBall& sphere : spheres) balls.push_back(sphere.ball);
+  return model::around(balls);
+}
+
 // The depth of each link in the tree.
 std::vector<int> depths(const KinematicTree& tree) {
   std::vector<int> result(tree.links.size(), -1);
@@ -128,50 +134,37 @@ CollisionTree collision_tree(const KinematicTree& tree) {
   }
 
   CollisionTree result;
-  std::vector<int> shape_of_group;  // one of its shapes
-  std::vector<int> link_of_group;
-  for (const auto& [key, of_link] : sets) {
-    CollisionTree::Link& link = result.links.emplace_back();
-    link = {key.second, {}, static_cast<int>(result.groups.size()), 0};
-    std::vector<Ball> balls;
+  std::vector<std::size_t> shape_of_part;  // one of its shapes
+  for (const auto& [key, of_link] : sets)
     for (const std::vector<std::size_t>& set : of_link) {
+      CollisionTree::Part part = {key.second, {}, static_cast<int>(result.groups.size()), 0};
       std::vector<ShapeBall> spheres;
       for (const std::size_t i : set) {
         result.is_exact = result.is_exact && shapes[i].is_sphere();
-        for (const Ball& ball : row_of(shapes[i])) spheres.push_back({i, ball}), balls.push_back(ball);
+        for (const Ball& ball : row_of(shapes[i])) spheres.push_back({i, ball});
       }
-      for (const std::vector<ShapeBall>& group : clusters(std::move(spheres))) {
-        result.groups.push_back({"", {}, static_cast<int>(result.spheres.size()), static_cast<int>(group.size())});
-        std::vector<Ball> inside;
-        std::string& names = result.groups.back().name;
-        for (const ShapeBall& sphere : group) {
-          const Capsule& shape = shapes[sphere.shape];
-          if (names.empty())
-            names = shape.body;
-          else if (names.rfind(shape.body) == std::string::npos)
-            names += ", " + shape.body;
-          result.spheres.push_back({shape.name, sphere.ball});
-          inside.push_back(sphere.ball);
+      part.ball = around(spheres);
+      for (const std::vector<ShapeBall>& cluster : clusters(std::move(spheres))) {
+        CollisionTree::Group group = {"", around(cluster), static_cast<int>(result.spheres.size()), 0};
+        for (const auto& [i, ball] : cluster) {
+          const bool is_new = group.count == 0 || shapes[i].body != shapes[cluster[at(group.count - 1)].shape].body;
+          if (is_new) group.name += (group.name.empty() ? "" : ", ") + shapes[i].body;
+          result.spheres.push_back({shapes[i].name, ball});
+          ++group.count;
         }
-        result.groups.back().ball = around(inside);
-        shape_of_group.push_back(static_cast<int>(group.front().shape));
-        link_of_group.push_back(static_cast<int>(result.links.size()) - 1);
-        ++link.count;
+        result.groups.push_back(std::move(group));
+        ++part.count;
       }
+      // The same, to the last digit.
+      if (part.count == 1) part.ball = result.groups.back().ball;
+      result.parts.push_back(part);
+      shape_of_part.push_back(set.front());
     }
-    link.ball = link.count == 1 ? result.groups.back().ball : around(balls);
-  }
 
-  std::map<std::array<int, 2>, std::vector<std::array<int, 2>>> by_links;
-  for (int a = 0; a < static_cast<int>(result.groups.size()); ++a)
-    for (int b = a + 1; b < static_cast<int>(result.groups.size()); ++b)
-      if (partners[at(shape_of_group[at(a)])].contains(at(shape_of_group[at(b)])))
-        by_links[{link_of_group[at(a)], link_of_group[at(b)]}].push_back({a, b});
-  for (const auto& [links, groups] : by_links) {
-    result.link_pairs.push_back(
-        {links[0], links[1], static_cast<int>(result.group_pairs.size()), static_cast<int>(groups.size())});
-    result.group_pairs.insert(result.group_pairs.end(), groups.begin(), groups.end());
-  }
+  for (std::size_t a = 0; a < shape_of_part.size(); ++a)
+    for (std::size_t b = a + 1; b < shape_of_part.size(); ++b)
+      if (partners[shape_of_part[a]].contains(shape_of_part[b]))
+        result.pairs.push_back({static_cast<int>(a), static_cast<int>(b)});
   return result;
 }
 

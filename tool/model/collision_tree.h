@@ -1,4 +1,4 @@
-// The collision shapes of a robot as spheres, inside spheres around a few of them, inside spheres around links: a check
+// The collision shapes of a robot as spheres, inside spheres around a few of them, inside spheres around parts: a check
 // whether anything is hit ends early where a sphere that contains others is far away.
 #pragma once
 
@@ -20,29 +20,24 @@ struct CollisionTree {
     std::string name;  // Capsule::name
     Ball ball;
   };
-  // A few spheres of a link that are near each other and are checked against the same shapes.
+  // A few spheres of a part that are near each other.
   struct Group {
     std::string name;  // of their bodies in the document, of which fixed joints may make one link
     Ball ball;         // contains its spheres
     int first = 0, count = 0;
   };
-  struct Link {
+  // The shapes of a link that are checked against the same others: all of them, as a rule.
+  struct Part {
     int link = -1;
     Ball ball;  // contains its groups
     int first = 0, count = 0;
   };
-  // Two links, by their places in the list below, and the pairs of their groups that are checked.
-  struct LinkPair {
-    int a = 0, b = 0;
-    int first = 0, count = 0;
-  };
 
-  std::vector<Sphere> spheres;  // those of a group are neighbours, and the groups of a link
+  std::vector<Sphere> spheres;  // those of a group are neighbours, and the groups of a part
   std::vector<Group> groups;
-  std::vector<Link> links;  // that have shapes, parents first
-  std::vector<LinkPair> link_pairs;
-  std::vector<std::array<int, 2>> group_pairs;
-  bool is_exact = true;  // all shapes are spheres
+  std::vector<Part> parts;                // those of a link after those of its parent
+  std::vector<std::array<int, 2>> pairs;  // of parts, whose shapes are all checked against each other
+  bool is_exact = true;                   // all shapes are spheres
 };
 
 // The pairs are those of `collision_pairs`. A shape that is no sphere becomes a row of spheres that contain its capsule

@@ -1,6 +1,5 @@
 // Whether a robot touches itself or an obstacle, in one state or in several, one in each lane. A check ends as soon as
-// the answer is known: links are placed one after another from the base, and their shapes are looked at only where
-// spheres around them are near something.
+// the answer is known, and shapes are placed and looked at only where spheres around them are near something.
 //
 // The header <name>/collision_check.h of a robot has its shapes and functions that call these.
 #pragma once
@@ -23,17 +22,17 @@ namespace robcogen {
 // The tables of a robot's shapes.
 namespace collision {
 
-// A sphere (m) around its members: groups of spheres of a link, or spheres of a group.
+// The most spheres of a group.
+inline constexpr std::size_t kMaxSpheres = 4;
+
+// A sphere (m) around its members: groups of spheres of a part, or spheres of a group.
 struct Group {
   int first, count;
   double radius;
 };
+// Two parts.
 struct Pair {
   int a, b;
-};
-// Two links, and the pairs of their groups that are checked.
-struct LinkPair {
-  int a, b, first, count;
 };
 
 // As in lanes.h: the linker must not replace a function for one processor by that for another.
@@ -137,42 +136,51 @@ struct NumberIn<Lanes<Scalar, kSize>> {
   using type = Scalar;
 };
 
-// Distances between centres at which spheres touch, squared.
+// Distances between centres at which parts may touch, squared.
 template <class Shapes, class Number>
-constexpr auto kLinkDistances = [] {
-  std::array<Number, Shapes::kLinkPairs.size()> result{};
+constexpr auto kPartDistances = [] {
+  std::array<Number, Shapes::kPairs.size()> result{};
   for (std::size_t k = 0; k < result.size(); ++k) {
-    const LinkPair& pair = Shapes::kLinkPairs[k];
-    const double distance = Shapes::kLinks[at(pair.a)].radius + Shapes::kLinks[at(pair.b)].radius;
+    const Pair& pair = Shapes::kPairs[k];
+    const double distance = Shapes::kParts[at(pair.a)].radius + Shapes::kParts[at(pair.b)].radius;
     result[k] = static_cast<Number>(distance * distance);
   }
   return result;
 }();
 
+// Spheres of a group that are chosen one by one, without a branch.
+class Chosen {
+ public:
+  ROBCOGEN_INLINE void add(int sphere, bool is_chosen) noexcept {
+    list_[count_] = sphere;
+    count_ += is_chosen ? 1 : 0;
+  }
+  ROBCOGEN_INLINE const int* begin() const noexcept { return list_; }
+  ROBCOGEN_INLINE const int* end() const noexcept { return list_ + count_; }
+
+ private:
+  int list_[kMaxSpheres + 1];
+  std::size_t count_ = 0;
+};
+
 // The centres of all spheres of a state, as far as they are placed. What contains one member alone is this member.
 template <class Shapes, class Scalar>
 class Places {
  public:
-  // Places the links in turn, until placed(link) is true, and returns that.
-  template <class Placed>
-  ROBCOGEN_INLINE bool place(const Scalar* q, const Placed& placed) noexcept {
-    q_ = q;
-    return Shapes::place(q, workspace_, links_, placed);
-  }
-  ROBCOGEN_INLINE const Scalar* link(int l) const noexcept { return links_ + 3 * l; }
-  // Of a link that is placed.
-  ROBCOGEN_INLINE const Scalar* group(int l, int g) noexcept {
-    if (Shapes::kLinks[at(l)].count == 1) return link(l);
-    if (!are_groups_placed_[l]) {
-      are_groups_placed_[l] = true;
-      Shapes::place_groups(l, q_, workspace_, groups_);
+  ROBCOGEN_INLINE explicit Places(const Scalar* q) noexcept : q_(q) { Shapes::place_parts(q, workspace_, parts_); }
+  ROBCOGEN_INLINE const Scalar* part(int p) const noexcept { return parts_ + 3 * p; }
+  ROBCOGEN_INLINE const Scalar* group(int p, int g) noexcept {
+    if (Shapes::kParts[at(p)].count == 1) return part(p);
+    if (!are_groups_placed_[p]) {
+      are_groups_placed_[p] = true;
+      Shapes::place_groups(p, q_, workspace_, groups_);
     }
     return groups_ + 3 * g;
   }
   // The spheres of the group, one after another.
-  ROBCOGEN_INLINE const Scalar* spheres(int l, int g) noexcept {
+  ROBCOGEN_INLINE const Scalar* spheres(int p, int g) noexcept {
     const Group& of = Shapes::kGroups[at(g)];
-    if (of.count == 1) return group(l, g);
+    if (of.count == 1) return group(p, g);
     if (!are_spheres_placed_[g]) {
       are_spheres_placed_[g] = true;
       Shapes::place_spheres(g, q_, workspace_, spheres_);
@@ -182,10 +190,10 @@ class Places {
 
  private:
   const Scalar* q_;
-  bool are_groups_placed_[Shapes::kLinkCount] = {};
+  bool are_groups_placed_[Shapes::kPartCount] = {};
   bool are_spheres_placed_[Shapes::kGroupCount] = {};
   Scalar workspace_[Shapes::kWorkspace];
-  Scalar links_[3 * Shapes::kLinkCount];
+  Scalar parts_[3 * Shapes::kPartCount];
   Scalar groups_[3 * Shapes::kGroupCount];
   Scalar spheres_[3 * Shapes::kSphereCount];
 };
@@ -193,14 +201,14 @@ class Places {
 template <class Shapes, class Scalar, class Obstacles, class Found>
 class Check {
  public:
-  ROBCOGEN_INLINE Check(const Obstacles& obstacles, Found& found) noexcept : obstacles_(obstacles), found_(found) {}
+  ROBCOGEN_INLINE Check(const Scalar* q, const Obstacles& obstacles, Found& found) noexcept
+      : obstacles_(obstacles), found_(found), places_(q) {}
 
-  ROBCOGEN_INLINE void run(const Scalar* q) noexcept {
-    const bool ends = places_.place(q, [this](int link) noexcept {
-      if constexpr (!std::is_same_v<Obstacles, Nothing>) return obstacle_ends(link);
-      return (void)link, false;
-    });
-    if (!ends) pairs_end();
+  ROBCOGEN_INLINE void run() noexcept {
+    if constexpr (!std::is_same_v<Obstacles, Nothing>)
+      for (int p = Shapes::kPartCount - 1; p >= 0; --p)  // a hand meets more obstacles than the base
+        if (obstacle_ends(p)) return;
+    pairs_end();
   }
 
  private:
@@ -215,19 +223,19 @@ class Check {
   }
 
   // A sphere around one member is this member, and is not looked at twice.
-  bool obstacle_ends(int l) noexcept {
-    const Group& link = Shapes::kLinks[at(l)];
-    LaneSet near = at_obstacle(places_.link(l), link.radius);
+  bool obstacle_ends(int p) noexcept {
+    const Group& part = Shapes::kParts[at(p)];
+    LaneSet near = at_obstacle(places_.part(p), part.radius);
     if (!found_.matter(near)) return false;
-    for (int g = link.first; g < link.first + link.count; ++g) {
+    for (int g = part.first; g < part.first + part.count; ++g) {
       const Group& group = Shapes::kGroups[at(g)];
-      if (link.count > 1) near = at_obstacle(places_.group(l, g), group.radius);
+      if (part.count > 1) near = at_obstacle(places_.group(p, g), group.radius);
       if (!found_.matter(near)) continue;
       if (group.count == 1) {
         if (found_.end(near)) return true;
         continue;
       }
-      const Scalar* sphere = places_.spheres(l, g);
+      const Scalar* sphere = places_.spheres(p, g);
       for (int s = 0; s < group.count; ++s)
         if (found_.end(at_obstacle(sphere + 3 * s, Shapes::kRadii[at(group.first + s)]))) return true;
     }
@@ -235,10 +243,10 @@ class Check {
   }
 
   bool pairs_end() noexcept {
-    for (std::size_t k = 0; k < Shapes::kLinkPairs.size(); ++k) {
-      const LinkPair& pair = Shapes::kLinkPairs[k];
-      const Scalar distance(kLinkDistances<Shapes, Number>[k]);
-      if (found_.matter(negative(squared_distance(places_.link(pair.a), places_.link(pair.b)) - distance)) &&
+    for (std::size_t k = 0; k < Shapes::kPairs.size(); ++k) {
+      const Pair& pair = Shapes::kPairs[k];
+      const Scalar distance(kPartDistances<Shapes, Number>[k]);
+      if (found_.matter(negative(squared_distance(places_.part(pair.a), places_.part(pair.b)) - distance)) &&
           pair_ends(pair))
         return true;
     }
@@ -246,50 +254,38 @@ class Check {
   }
 
   // The larger sphere of two is taken apart first.
-  bool pair_ends(const LinkPair& pair) noexcept {
-    const bool is_first = Shapes::kLinks[at(pair.a)].radius > Shapes::kLinks[at(pair.b)].radius;
+  bool pair_ends(const Pair& pair) noexcept {
+    const bool is_first = Shapes::kParts[at(pair.a)].radius > Shapes::kParts[at(pair.b)].radius;
     const int outer = is_first ? pair.a : pair.b, inner = is_first ? pair.b : pair.a;
-    const Group &large = Shapes::kLinks[at(outer)], &small = Shapes::kLinks[at(inner)];
-    if (large.count * small.count != pair.count) return groups_end(pair);
-    const Scalar* center = places_.link(inner);
+    const Group &large = Shapes::kParts[at(outer)], &small = Shapes::kParts[at(inner)];
+    const Scalar* center = places_.part(inner);
     for (int g = large.first; g < large.first + large.count; ++g) {
       const Group& group = Shapes::kGroups[at(g)];
-      if (large.count > 1 &&
-          !found_.matter(nearer(places_.group(outer, g), center, group.radius + small.radius)))
+      if (large.count > 1 && !found_.matter(nearer(places_.group(outer, g), center, group.radius + small.radius)))
         continue;
       const Scalar* sphere = places_.spheres(outer, g);
-      for (int s = 0; s < group.count; ++s) {
-        const double radius = Shapes::kRadii[at(group.first + s)];
-        if (group.count > 1 && !found_.matter(nearer(sphere + 3 * s, center, radius + small.radius))) continue;
-        for (int h = small.first; h < small.first + small.count; ++h)
-          if (group_ends(sphere + 3 * s, radius, inner, h)) return true;
-      }
+      Chosen near;
+      for (int s = 0; s < group.count; ++s)
+        near.add(s, found_.matter(nearer(sphere + 3 * s, center, Shapes::kRadii[at(group.first + s)] + small.radius)));
+      for (const int s : near)
+        if (sphere_ends(sphere + 3 * s, Shapes::kRadii[at(group.first + s)], inner)) return true;
     }
     return false;
   }
 
-  // Not every group of one link is checked against every group of the other one.
-  bool groups_end(const LinkPair& pair) noexcept {
-    for (int p = pair.first; p < pair.first + pair.count; ++p) {
-      const auto [a, b] = Shapes::kGroupPairs[at(p)];
-      const Group &first = Shapes::kGroups[at(a)], &second = Shapes::kGroups[at(b)];
-      const double distance = first.radius + second.radius;
-      if (!found_.matter(nearer(places_.group(pair.a, a), places_.group(pair.b, b), distance))) continue;
-      const Scalar* sphere = places_.spheres(pair.a, a);
-      for (int s = 0; s < first.count; ++s)
-        if (group_ends(sphere + 3 * s, Shapes::kRadii[at(first.first + s)], pair.b, b)) return true;
+  bool sphere_ends(const Scalar* sphere, double radius, int p) noexcept {
+    const Group& part = Shapes::kParts[at(p)];
+    for (int g = part.first; g < part.first + part.count; ++g) {
+      const Group& group = Shapes::kGroups[at(g)];
+      if ((part.count > 1 || group.count == 1) &&
+          !found_.matter(nearer(sphere, places_.group(p, g), radius + group.radius)))
+        continue;
+      const Scalar* other = places_.spheres(p, g);
+      LaneSet hit = 0;
+      for (int s = 0; s < group.count; ++s)
+        hit |= nearer(sphere, other + 3 * s, radius + Shapes::kRadii[at(group.first + s)]);
+      if (found_.end(hit)) return true;
     }
-    return false;
-  }
-
-  bool group_ends(const Scalar* sphere, double radius, int link, int g) noexcept {
-    const Group& group = Shapes::kGroups[at(g)];
-    const LaneSet near = nearer(sphere, places_.group(link, g), radius + group.radius);
-    if (!found_.matter(near)) return false;
-    if (group.count == 1) return found_.end(near);
-    const Scalar* other = places_.spheres(link, g);
-    for (int s = 0; s < group.count; ++s)
-      if (found_.end(nearer(sphere, other + 3 * s, radius + Shapes::kRadii[at(group.first + s)]))) return true;
     return false;
   }
 };
@@ -305,7 +301,7 @@ namespace {
 template <class Shapes, class Scalar, class Obstacles>
 ROBCOGEN_INLINE bool in_collision(const Scalar* q, const Obstacles& obstacles) noexcept {
   collision::AnyLane found;
-  collision::Check<Shapes, Scalar, Obstacles, collision::AnyLane>(obstacles, found).run(q);
+  collision::Check<Shapes, Scalar, Obstacles, collision::AnyLane>(q, obstacles, found).run();
   return found.hit != 0;
 }
 
@@ -318,7 +314,7 @@ ROBCOGEN_INLINE bool self_collision(const Scalar* q) noexcept {
 template <class Shapes, class Scalar, class Obstacles>
 ROBCOGEN_INLINE collision::LaneSet lanes_in_collision(const Scalar* q, const Obstacles& obstacles) noexcept {
   collision::EachLane found{collision::kAllLanes<Scalar>};
-  collision::Check<Shapes, Scalar, Obstacles, collision::EachLane>(obstacles, found).run(q);
+  collision::Check<Shapes, Scalar, Obstacles, collision::EachLane>(q, obstacles, found).run();
   return found.hit;
 }
 

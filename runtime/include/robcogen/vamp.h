@@ -21,9 +21,46 @@
 
 namespace robcogen {
 
+namespace vamp_robot {
+// As in lanes.h: lanes depend on the processor that a file is compiled for.
+namespace {
+
+// One configuration in each lane. VAMP's vectors are arrays of registers of the processor.
+template <std::size_t rake, std::size_t dimension>
+struct Positions {
+  static_assert(rake <= ::vamp::FloatVectorWidth, "a block fills at most one register");
+  using Value = Lanes<float, static_cast<int>(::vamp::FloatVectorWidth)>;
+  Value data[dimension];
+
+  explicit Positions(const ::vamp::FloatVector<rake, dimension>& x) noexcept {
+    static_assert(sizeof(data) == sizeof(x.data), "a register for each position");
+    std::memcpy(static_cast<void*>(data), &x.data, sizeof(data));
+  }
+};
+
+// The centres of all spheres.
+template <class Shapes, class Value>
+struct Placed {
+  std::array<Value, static_cast<std::size_t>(3 * Shapes::kSphereCount)> spheres;
+
+  explicit Placed(const Value* q) noexcept {
+    collision::Places<Shapes, Value> places(q);
+    for (int part = 0; part < Shapes::kPartCount; ++part) {
+      const collision::Group& of = Shapes::kParts[collision::at(part)];
+      for (int g = of.first; g < of.first + of.count; ++g) {
+        const collision::Group& group = Shapes::kGroups[collision::at(g)];
+        std::copy_n(places.spheres(part, g), 3 * group.count, spheres.data() + 3 * group.first);
+      }
+    }
+  }
+};
+
+}  // namespace
+}  // namespace vamp_robot
+
 // Traits: Shapes (of collision_check.h); kName, kEndEffector and kJointNames; kLow and kRange (rad, m), by joint;
-// kAttachmentGroups, the groups of spheres that what is attached to the end effector must not touch; and end_effector(q, X), the
-// 4 x 4 pose X, column by column, of the end effector in the base.
+// kAttachmentGroups, the groups of spheres that what is attached to the end effector must not touch; and
+// end_effector(q, X), the 4 x 4 pose X, column by column, of the end effector in the base.
 template <class Traits>
 struct VampRobot {
   using Shapes = typename Traits::Shapes;
@@ -60,9 +97,7 @@ struct VampRobot {
 
   // From numbers between 0 and 1 to positions, and back.
   static void scale_configuration(Configuration& q) noexcept { q = q * of(Traits::kRange) + of(Traits::kLow); }
-  static void descale_configuration(Configuration& q) noexcept {
-    q = (q - of(Traits::kLow)) * of(reciprocals());
-  }
+  static void descale_configuration(Configuration& q) noexcept { q = (q - of(Traits::kLow)) * of(reciprocals()); }
   template <std::size_t rake>
   static void scale_configuration_block(ConfigurationBlock<rake>& q) noexcept {
     for (std::size_t i = 0; i < dimension; ++i) q[i] = Traits::kLow[i] + q[i] * Traits::kRange[i];
@@ -79,7 +114,7 @@ struct VampRobot {
 
   template <std::size_t rake>
   static void sphere_fk(const ConfigurationBlock<rake>& x, Spheres<rake>& out) noexcept {
-    const Placed<rake> placed(x);
+    const Placed<rake> placed(Positions<rake>(x).data);
     for (std::size_t i = 0; i < n_spheres; ++i) {
       const auto& center = placed.spheres;
       out.x[i] = vector<rake>(center[3 * i]);
@@ -116,7 +151,7 @@ struct VampRobot {
       for (int r = 0; r < 3; ++r) X(r, c) = vector<rake>(pose[4 * c + r]);
     ::vamp::collision::set_attachment_pose(environment, X);
     if (::vamp::attachment_environment_collision(environment)) return false;
-    const Placed<rake> placed(x);
+    const Placed<rake> placed(Positions<rake>(x).data);
     for (const int group : Traits::kAttachmentGroups)
       for (int k = 0; k < Shapes::kGroups[at(group)].count; ++k) {
         const auto s = static_cast<std::size_t>(Shapes::kGroups[at(group)].first + k);
@@ -133,20 +168,19 @@ struct VampRobot {
       const ::vamp::collision::Environment<::vamp::FloatVector<rake>>& environment,
       const ConfigurationBlock<rake>& x) noexcept {
     using Vector = ::vamp::FloatVector<rake>;
-    const Placed<rake> placed(x);
+    const Placed<rake> placed(Positions<rake>(x).data);
     Debug result;
     for (std::size_t s = 0; s < n_spheres; ++s)
       result.first.push_back(::vamp::sphere_environment_get_collisions<Vector>(
           environment, vector<rake>(placed.spheres[3 * s]), vector<rake>(placed.spheres[3 * s + 1]),
           vector<rake>(placed.spheres[3 * s + 2]), radius(s)));
-    for (const collision::Pair& pair : Shapes::kGroupPairs) {
-      const collision::Group &a = Shapes::kGroups[at(pair.a)], &b = Shapes::kGroups[at(pair.b)];
-      for (int i = a.first; i < a.first + a.count; ++i)
-        for (int k = b.first; k < b.first + b.count; ++k)
+    for (const collision::Pair& pair : Shapes::kPairs)
+      for (int i = first_sphere(pair.a); i < first_sphere(pair.a + 1); ++i)
+        for (int k = first_sphere(pair.b); k < first_sphere(pair.b + 1); ++k)
           if (collision::nearer(
-                  &placed.spheres[3 * at(i)], &placed.spheres[3 * at(k)], Shapes::kRadii[at(i)] + Shapes::kRadii[at(k)]))
+                  &placed.spheres[3 * at(i)], &placed.spheres[3 * at(k)],
+                  Shapes::kRadii[at(i)] + Shapes::kRadii[at(k)]))
             result.second.emplace_back(at(i), at(k));
-    }
     return result;
   }
 
@@ -158,27 +192,25 @@ struct VampRobot {
 
  private:
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  // Of a part; the number of spheres for the part after the last one.
+  static int first_sphere(int part) {
+    if (part == Shapes::kPartCount) return Shapes::kSphereCount;
+    return Shapes::kGroups[at(Shapes::kParts[at(part)].first)].first;
+  }
   static constexpr float radius(std::size_t sphere) { return static_cast<float>(Shapes::kRadii[sphere]); }
 
   static Configuration of(const std::array<float, dimension>& numbers) noexcept { return Configuration(numbers); }
   static constexpr std::array<float, dimension> reciprocals() noexcept {
     std::array<float, dimension> result{};
-    for (std::size_t i = 0; i < dimension; ++i) result[i] = static_cast<float>(1.0 / static_cast<double>(Traits::kRange[i]));
+    for (std::size_t i = 0; i < dimension; ++i)
+      result[i] = static_cast<float>(1.0 / static_cast<double>(Traits::kRange[i]));
     return result;
   }
 
-  // One configuration in each lane. VAMP's vectors are arrays of registers of the processor.
   template <std::size_t rake>
-  struct Positions {
-    static_assert(rake <= ::vamp::FloatVectorWidth, "a block fills at most one register");
-    using Value = Lanes<float, static_cast<int>(::vamp::FloatVectorWidth)>;
-    Value data[dimension];
-
-    explicit Positions(const ConfigurationBlock<rake>& x) noexcept {
-      static_assert(sizeof(data) == sizeof(x.data), "a register for each position");
-      std::memcpy(static_cast<void*>(data), &x.data, sizeof(data));
-    }
-  };
+  using Positions = vamp_robot::Positions<rake, dimension>;
+  template <std::size_t rake>
+  using Placed = vamp_robot::Placed<Shapes, typename Positions<rake>::Value>;
 
   template <std::size_t rake>
   static ::vamp::FloatVector<rake> vector(const typename Positions<rake>::Value& value) noexcept {
@@ -187,26 +219,6 @@ struct VampRobot {
     std::memcpy(&result.data, &value, sizeof(value));
     return result;
   }
-
-  // The centres of all spheres.
-  template <std::size_t rake>
-  struct Placed {
-    using Value = typename Positions<rake>::Value;
-    std::array<Value, 3 * n_spheres> spheres;
-
-    explicit Placed(const ConfigurationBlock<rake>& x) noexcept {
-      const Positions<rake> q(x);
-      collision::Places<Shapes, Value> places;
-      places.place(q.data, [](int) { return false; });
-      for (int link = 0; link < Shapes::kLinkCount; ++link) {
-        const collision::Group& of = Shapes::kLinks[at(link)];
-        for (int g = of.first; g < of.first + of.count; ++g) {
-          const collision::Group& group = Shapes::kGroups[at(g)];
-          std::copy_n(places.spheres(link, g), 3 * group.count, spheres.data() + 3 * group.first);
-        }
-      }
-    }
-  };
 };
 
 }  // namespace robcogen

@@ -16,14 +16,13 @@ Outcome generate(const fs::path& model, const Scratch& scratch, const std::strin
 
 TEST(Vamp, RobotsThatItCannotPlanForAreRefused) {
   const Scratch scratch("vamp-refused");
-  const std::string frame = "ref_frame { translation = (0,0,0) rotation = (0,0,0) }", inertia =
-      "inertia_params { mass = 1 CoM = (0,0,0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 }";
+  const std::string frame = "ref_frame { translation = (0,0,0) rotation = (0,0,0) }",
+                    inertia = "inertia_params { mass = 1 CoM = (0,0,0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 }";
   const fs::path model = scratch.path / "pair.kindsl";
   write_text(
-      model, "Robot Pair {\nRobotBase base floating { " + inertia +
-                 " children { slow via A } }\nlink slow { id = 1 " + inertia +
-                 " children { fast via B } }\nlink fast { id = 2 " + inertia + " children {} }\ns_joint A { " + frame +
-                 " }\np_joint B { " + frame + " }\n}\n");
+      model, "Robot Pair {\nRobotBase base floating { " + inertia + " children { slow via A } }\nlink slow { id = 1 " +
+                 inertia + " children { fast via B } }\nlink fast { id = 2 " + inertia +
+                 " children {} }\ns_joint A { " + frame + " }\np_joint B { " + frame + " }\n}\n");
   const Outcome run = generate(model, scratch, "--vamp foot");
   EXPECT_EQ(run.status, 1);
   for (const char* message :
@@ -35,8 +34,7 @@ TEST(Vamp, RobotsThatItCannotPlanForAreRefused) {
 
 TEST(Vamp, IsForRobots) {
   const Scratch scratch("vamp-transforms");
-  const Outcome run =
-      generate(fs::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", scratch, "--vamp tool");
+  const Outcome run = generate(fs::path(ROBCOGEN_ROBOTS_DIR) / "euler" / "euler.motdsl", scratch, "--vamp tool");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.errors.find("--vamp applies to robots only"), std::string::npos) << run.errors;
 }

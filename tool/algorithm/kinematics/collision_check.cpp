@@ -12,7 +12,7 @@ namespace {
 
 using symbolic::Role;
 
-enum Output { kLinks, kGroups, kSpheres };
+enum Output { kParts, kGroups, kSpheres };
 
 void add_columns(symbolic::OutputElements& elements, Output output, int first, int count) {
   for (int k = 3 * first; k < 3 * (first + count); ++k) elements.push_back({output, k});
@@ -27,7 +27,7 @@ symbolic::Program collision_check(
   Trace trace(tree);
   const std::vector<Expression> q = trace.joint_input("q", Role::joint_position);
   const std::vector<PathPose> poses = link_poses(trace, q);
-  std::vector<Expression> links, groups, spheres;
+  std::vector<Expression> parts, groups, spheres;
   const auto place = [&](int link, const model::Ball& ball, std::vector<Expression>& centers) {
     const PathPose& pose = poses[at(link)];
     Vector3 center;
@@ -35,44 +35,38 @@ symbolic::Program collision_check(
     const Vector3 placed = pose.position + multiply(pose.rotation, center);
     centers.insert(centers.end(), placed.element.begin(), placed.element.end());
   };
-  for (const model::CollisionTree::Link& link : shapes.links) {
-    trace.section(tree.links[at(link.link)].name, "sphere around link ", "");
-    place(link.link, link.ball, links);
-    for (int g = link.first; g < link.first + link.count; ++g) {
+  for (const model::CollisionTree::Part& part : shapes.parts) {
+    trace.section(tree.links[at(part.link)].name, "sphere around link ", "");
+    place(part.link, part.ball, parts);
+    for (int g = part.first; g < part.first + part.count; ++g) {
       const model::CollisionTree::Group& group = shapes.groups[at(g)];
       trace.section(group.name, "spheres of ", "");
-      place(link.link, group.ball, groups);
-      for (int k = group.first; k < group.first + group.count; ++k) place(link.link, shapes.spheres[at(k)].ball, spheres);
+      place(part.link, group.ball, groups);
+      for (int k = group.first; k < group.first + group.count; ++k)
+        place(part.link, shapes.spheres[at(k)].ball, spheres);
     }
   }
   const auto output = [&](const char* array, const std::vector<Expression>& centers) {
     trace.output(array, Role::matrix, 3, static_cast<int>(centers.size()) / 3, centers);
   };
-  output("links", links);
+  output("parts", parts);
   output("groups", groups);
   output("spheres", spheres);
   return trace.program(name);
 }
 
 symbolic::Stages in_stages(const symbolic::Program& program, const model::CollisionTree& shapes) {
-  std::vector<symbolic::OutputElements> in_turn;
+  symbolic::OutputElements parts;
+  add_columns(parts, kParts, 0, static_cast<int>(shapes.parts.size()));
   std::vector<symbolic::StageOnDemand> groups, spheres;
-  for (std::size_t k = 0; k < shapes.links.size(); ++k) {
-    const model::CollisionTree::Link& link = shapes.links[k];
-    add_columns(in_turn.emplace_back(), kLinks, static_cast<int>(k), 1);
-    if (link.count > 1) {
-      groups.push_back({{}, static_cast<int>(k)});
-      add_columns(groups.back().elements, kGroups, link.first, link.count);
-    }
-    for (int g = link.first; g < link.first + link.count; ++g) {
-      const model::CollisionTree::Group& group = shapes.groups[at(g)];
-      if (group.count == 1) continue;
-      spheres.push_back({{}, static_cast<int>(k)});
-      add_columns(spheres.back().elements, kSpheres, group.first, group.count);
-    }
+  for (const model::CollisionTree::Part& part : shapes.parts) {
+    if (part.count > 1) add_columns(groups.emplace_back().elements, kGroups, part.first, part.count);
+    for (int g = part.first; g < part.first + part.count; ++g)
+      if (const model::CollisionTree::Group& group = shapes.groups[at(g)]; group.count > 1)
+        add_columns(spheres.emplace_back().elements, kSpheres, group.first, group.count);
   }
   groups.insert(groups.end(), spheres.begin(), spheres.end());
-  return symbolic::cut_outputs(program, in_turn, groups);
+  return symbolic::cut_outputs(program, {parts}, groups);
 }
 
 }  // namespace robcogen::algorithm

@@ -9,15 +9,16 @@
 
 namespace robcogen::algorithm {
 
-// q -> links, groups, spheres: the centres (m) of the spheres of a collision tree, in the base, a column for each.
+// q -> parts, groups, spheres: the centres (m) of the spheres of a collision tree, in the base, a column for each.
 symbolic::Program collision_check(
     const model::KinematicTree& tree,
     const model::CollisionTree& shapes,
     const std::string& name);
 
-// That program, or one that passes made of it, in stages: one for each link in turn, which places the sphere around it;
-// then on demand, in this order, one for each link with several groups, which places those, and one for each group with
-// several spheres. What contains one member alone is placed where this is.
+// That program, or one that passes made of it, in stages: one that places the spheres around all parts, which takes less
+// time than to find out after each link whether another one is needed; then on demand, in this order, one for each part
+// with several groups, which places those, and one for each group with several spheres. What contains one member alone
+// is placed where this is.
 symbolic::Stages in_stages(const symbolic::Program& program, const model::CollisionTree& shapes);
 
 }  // namespace robcogen::algorithm

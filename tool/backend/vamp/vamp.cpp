@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "backend/cpp/layout.h"
+#include "backend/cpp/member_array.h"
 #include "backend/cpp/printers.h"
 #include "model/collision.h"
 #include "support/index.h"
@@ -28,7 +29,7 @@ model::JointLimits limits_of(const Joint& joint) {
   return limits;
 }
 
-// `panda_arm` -> `PandaArm`. Capitals remain, so that VAMP's own name UR5 can be had.
+// `panda_arm` -> `PandaArm`. Capitals remain, so that VAMP's own name UR5 can be had. Members have other names.
 std::string structure_name(const std::string& name) {
   std::string result;
   bool begins = true;
@@ -36,36 +37,28 @@ std::string structure_name(const std::string& name) {
     if (c != '_') result += begins && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     begins = c == '_';
   }
-  return result.empty() || (result.front() >= '0' && result.front() <= '9') ? "Robot" + result : result;
+  if (result.empty() || (result.front() >= '0' && result.front() <= '9')) return "Robot" + result;
+  static const std::set<std::string> members = {
+      "Configuration", "ConfigurationArray", "ConfigurationBlock", "ConfigurationBuffer", "Debug", "Shapes", "Spheres"};
+  return members.contains(result) ? result + "Robot" : result;
 }
 
 std::string number(double value) {
   return print_double(static_cast<double>(static_cast<float>(value))) + "f";
 }
 
-std::string array(const std::string& type, const char* name, const std::vector<std::string>& items) {
-  const std::string head =
-      "static constexpr std::array<" + type + ", " + std::to_string(items.size()) + "> " + std::string(name);
-  if (items.empty()) return "  " + head + " = {};\n";
-  std::string text = "  " + head + " = {{\n", row;
-  for (const std::string& item : items) {
-    if (6 + row.size() + item.size() + 2 > cpp::kColumns) text += "      " + row + "\n", row.clear();
-    row += (row.empty() ? "" : " ") + item + ",";
-  }
-  return text + "      " + row + "\n  }};\n";
-}
-
-// The groups that are checked against one of the end effector's link.
+// The groups of the parts that are checked against one of the end effector's link.
 std::vector<std::string> attachment_groups(const CollisionCheck& check, int link) {
-  std::set<int> groups;
-  for (const model::CollisionTree::LinkPair& pair : check.shapes.link_pairs)
-    for (int p = pair.first; p < pair.first + pair.count; ++p) {
-      const auto& [a, b] = check.shapes.group_pairs[at(p)];
-      if (check.shapes.links[at(pair.a)].link == link) groups.insert(b);
-      if (check.shapes.links[at(pair.b)].link == link) groups.insert(a);
-    }
+  std::set<int> parts;
+  for (const auto& [a, b] : check.shapes.pairs) {
+    if (check.shapes.parts[at(a)].link == link) parts.insert(b);
+    if (check.shapes.parts[at(b)].link == link) parts.insert(a);
+  }
   std::vector<std::string> result;
-  for (const int group : groups) result.push_back(std::to_string(group));
+  for (const int k : parts) {
+    const model::CollisionTree::Part& part = check.shapes.parts[at(k)];
+    for (int g = part.first; g < part.first + part.count; ++g) result.push_back(std::to_string(g));
+  }
   return result;
 }
 
@@ -130,15 +123,17 @@ OutputFile print(const Library& library, const std::string& end_effector) {
   const std::string traits =
       "struct VampTraits {\n"
       "  using Shapes = CollisionShapes;\n"
-      "  static constexpr const char* kName = " + quoted(library.name) + ";\n" +
-      "  static constexpr const char* kEndEffector = " + quoted(end_effector) + ";\n" +
-      array("std::string_view", "kJointNames", names) + "  // rad, m: the lower limits, and the distances of the upper ones.\n" +
-      array("float", "kLow", low) + array("float", "kRange", range) +
+      "  static constexpr const char* kName = " +
+      quoted(library.name) + ";\n" + "  static constexpr const char* kEndEffector = " + quoted(end_effector) + ";\n" +
+      cpp::member_array("std::string_view", "kJointNames", names) +
+      "  // rad, m: the lower limits, and the distances of the upper ones.\n" +
+      cpp::member_array("float", "kLow", low) + cpp::member_array("float", "kRange", range) +
       "  // Groups of spheres that what is attached to the end effector must not touch.\n" +
-      array("int", "kAttachmentGroups", attachment_groups(*library.collision_check, link)) +
+      cpp::member_array("int", "kAttachmentGroups", attachment_groups(*library.collision_check, link)) +
       "  template <class Scalar>\n"
       "  static void end_effector(const Scalar* q, Scalar* X) noexcept {\n"
-      "    kernel::" + pose_of(api, end_effector).kernel + "(q, X);\n  }\n};\n";
+      "    kernel::" +
+      pose_of(api, end_effector).kernel + "(q, X);\n  }\n};\n";
   return {
       path,
       cpp::paragraphs(

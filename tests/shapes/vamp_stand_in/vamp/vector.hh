@@ -14,15 +14,14 @@ template <std::size_t columns = FloatVectorWidth, std::size_t rows = 1>
 struct FloatVector {
   static constexpr std::size_t registers = (columns + FloatVectorWidth - 1) / FloatVectorWidth;
   static constexpr std::size_t num_scalars_rounded = rows * registers * FloatVectorWidth;
-  std::array<std::array<float, FloatVectorWidth>, rows * registers> data = {};
+  std::array<std::array<float, FloatVectorWidth>, rows* registers> data = {};
 
   FloatVector() = default;
   FloatVector(float x) {
     for (auto& part : data) part.fill(x);
   }
   explicit FloatVector(const std::array<float, columns * rows>& numbers) {
-    for (std::size_t i = 0; i < columns; ++i)
-      data[i / FloatVectorWidth][i % FloatVectorWidth] = numbers[i];
+    for (std::size_t i = 0; i < columns; ++i) data[i / FloatVectorWidth][i % FloatVectorWidth] = numbers[i];
   }
 
   FloatVector<columns>& operator[](std::size_t row) { return reinterpret_cast<FloatVector<columns>&>(data[row]); }
