@@ -54,8 +54,8 @@ std::vector<std::vector<ShapeBall>> clusters(std::vector<ShapeBall> spheres) {
   double most = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto less = [&](const ShapeBall& a, const ShapeBall& b) { return a.ball.center[k] < b.ball.center[k]; };
-    const auto [low, high] = std::minmax_element(spheres.begin(), spheres.end(), less);
-    const double extent = high->ball.center[k] - low->ball.center[k];
+    const double low = std::min_element(spheres.begin(), spheres.end(), less)->ball.center[k];
+    const double extent = std::max_element(spheres.begin(), spheres.end(), less)->ball.center[k] - low;
     if (extent > most) most = extent, axis = k;
   }
   std::stable_sort(spheres.begin(), spheres.end(), [&](const ShapeBall& a, const ShapeBall& b) {

@@ -16,18 +16,19 @@ Outcome generate(const fs::path& model, const Scratch& scratch, const std::strin
 
 TEST(Vamp, RobotsThatItCannotPlanForAreRefused) {
   const Scratch scratch("vamp-refused");
-  const std::string frame = "ref_frame { translation = (0,0,0) rotation = (0,0,0) }",
-                    inertia = "inertia_params { mass = 1 CoM = (0,0,0) Ix = 1 Iy = 1 Iz = 1 Ixy = 0 Ixz = 0 Iyz = 0 }";
-  const fs::path model = scratch.path / "pair.kindsl";
+  const fs::path model = scratch.path / "pair.xml";
+  const std::string geom = "<geom type='sphere' size='0.1'/>";
   write_text(
-      model, "Robot Pair {\nRobotBase base floating { " + inertia + " children { slow via A } }\nlink slow { id = 1 " +
-                 inertia + " children { fast via B } }\nlink fast { id = 2 " + inertia +
-                 " children {} }\ns_joint A { " + frame + " }\np_joint B { " + frame + " }\n}\n");
+      model, "<mujoco><worldbody><body name='base'><freejoint/>" + geom +
+                 "<body name='slow' pos='0 0 1'><joint name='A' type='ball'/>" + geom +
+                 "<body name='fast' pos='0 0 1'><joint name='B' type='slide'/>" + geom +
+                 "</body></body></body></worldbody></mujoco>\n");
   const Outcome run = generate(model, scratch, "--vamp foot");
+  if (run.errors.find("[mjcf-unavailable]") != std::string::npos) GTEST_SKIP() << run.errors;
   EXPECT_EQ(run.status, 1);
   for (const char* message :
-       {"--vamp: the base of robot 'Pair' floats", "--vamp: joint 'A' is spherical", "--vamp: joint 'B' has no limits",
-        "--vamp: robot 'Pair' has no collision shapes", "robot 'Pair' has no frame 'foot'"})
+       {"--vamp: the base of robot '", "--vamp: joint 'A' is spherical", "--vamp: joint 'B' has no limits",
+        "has no frame 'foot'"})
     EXPECT_NE(run.errors.find(message), std::string::npos) << message << "\n" << run.errors;
   EXPECT_FALSE(fs::exists(scratch.path / "out"));
 }

@@ -9,7 +9,6 @@
 #include "backend/cpp/layout.h"
 #include "backend/cpp/member_array.h"
 #include "backend/cpp/printers.h"
-#include "model/collision.h"
 #include "support/index.h"
 #include "support/number.h"
 
@@ -86,6 +85,8 @@ void check(const KinematicTree& tree, Diagnostics& diagnostics) {
   const std::string fixed = "VAMP plans for robots with a fixed base whose joints have one position each";
   const Place& robot = tree.links.front().place;
   if (tree.floating_base) refuse(robot, "the base of robot '" + tree.name + "' floats", fixed);
+  if (!tree.followers_in_q().empty())
+    refuse(robot, "joints of robot '" + tree.name + "' follow others through loops", fixed);
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     const Joint& joint = tree.joints[j];
     const bool is_coupled = tree.coupling_of(static_cast<int>(j)) != nullptr;
@@ -98,8 +99,6 @@ void check(const KinematicTree& tree, Diagnostics& diagnostics) {
   for (const model::Parameter& parameter : tree.parameters)
     if (model::is_kinematics(parameter))
       refuse(robot, "parameter '" + parameter.name + "' moves shapes", "its value must be in the document");
-  if (model::capsules(tree).empty())
-    refuse(robot, "robot '" + tree.name + "' has no collision shapes", "a URDF, MJCF or SDF can have them");
 }
 
 std::string output(const std::string& name) {
