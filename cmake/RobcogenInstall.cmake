@@ -75,6 +75,7 @@ function(_robcogen_install_library target)
       DESTINATION include
       FILES_MATCHING
       PATTERN "*.h"
+      PATTERN "*.hh"
       PATTERN "*.inc"
       REGEX "^${pattern}/(c|gpu|python)$" EXCLUDE)
     return()

@@ -153,6 +153,22 @@ foreach(path iit/robots/arm pronto/arm)
   unset(library_ALGORITHMS)
 endforeach()
 
+# The header for VAMP, and the groups whose functions it calls.
+set(library_VAMP tool)
+set(library_NAME Arm)
+set(library_ALGORITHMS energy)
+_robcogen_choose_groups()
+_robcogen_generated_files(Arm "${library_groups}" headers sources)
+set(expected ${headers} ${sources} vamp/robots/arm.hh)
+run(actual ${TOOL} generate --list-outputs --name Arm --algorithms energy --vamp tool)
+string(STRIP "${actual}" actual)
+string(REPLACE "\n" ";" actual "${actual}")
+list(SORT actual)
+list(SORT expected)
+expect_equal("outputs with a header for VAMP" "${actual}" "${expected}")
+unset(library_VAMP)
+unset(library_ALGORITHMS)
+
 # The files of transforms without a robot, generated under this name.
 function(expect_same_transforms name)
   set(library_DERIVATIVES ${ARGN})

@@ -25,7 +25,11 @@ const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
       {.name = "cpp",
        .features =
-           {.caches_parameters = true, .has_lanes = true, .takes_sines = true, .column_loops = ColumnLoops::if_faster},
+           {.caches_parameters = true,
+            .has_lanes = true,
+            .checks_collisions = true,
+            .takes_sines = true,
+            .column_loops = ColumnLoops::if_faster},
        .takes_transforms = true,
        .print = cpp::print},
       {.name = "c",

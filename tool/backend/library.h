@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "model/collision_tree.h"
 #include "model/coordinate_transforms.h"
 #include "model/elements.h"
 #include "support/files.h"
 #include "symbolic/cost.h"
 #include "symbolic/function.h"
 #include "symbolic/program.h"
+#include "symbolic/stages.h"
 
 namespace robcogen::backend {
 
@@ -30,13 +32,23 @@ enum class ColumnLoops {
   if_faster,  // also functions that are faster with columns in lanes
 };
 
+// A check of collisions that ends early.
+struct CollisionCheck {
+  model::CollisionTree shapes;
+  // One that places the spheres around all parts; then, on demand, those around the groups of each part with several
+  // groups, and those of each group with several spheres. Inputs: q and the workspace; outputs: `parts`, `groups` and
+  // `spheres`, and the workspace.
+  symbolic::Stages stages;
+};
+
 // The forms of programs that a language uses.
 struct Features {
   bool caches_parameters =
-      false;                 // functions read values that depend on parameters alone from a cache: Library::updates
-  bool has_lanes = false;    // congruent limbs share the lanes of vectors: Function::in_lanes
-  bool has_both = false;     // the same, beside the program that is the fastest without lanes
-  bool takes_sines = false;  // functions take precomputed sines and cosines: Library::trigonometry
+      false;               // functions read values that depend on parameters alone from a cache: Library::updates
+  bool has_lanes = false;  // congruent limbs share the lanes of vectors: Function::in_lanes
+  bool has_both = false;   // the same, beside the program that is the fastest without lanes
+  bool checks_collisions = false;  // there are checks that end early: Library::collision_check
+  bool takes_sines = false;        // functions take precomputed sines and cosines: Library::trigonometry
   ColumnLoops column_loops = ColumnLoops::none;
 };
 
@@ -69,6 +81,8 @@ struct Library {
     Function addition;         // [parameters,] sines and cosines of the joints -> of all angles
   };
   std::optional<Trigonometry> trigonometry = {};
+  // Of a robot with collision shapes, if the group `collision` was asked for.
+  std::optional<CollisionCheck> collision_check = {};
   PrimitiveConvention primitives = PrimitiveConvention::none;
   bool has_batches = false;              // each function also exists over many states: C++, robots
   std::vector<std::string> levels = {};  // processors, besides the baseline, that kernels are compiled for: C++, robots

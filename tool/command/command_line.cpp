@@ -330,6 +330,10 @@ Action declare_generate(CLI::App& application) {
   subcommand->add_option(
       "--include-path", options->include_path,
       "Folder of the headers of --compatibility; default iit/robots/NAME in small letters");
+  subcommand->add_option(
+      "--vamp", options->vamp,
+      "cpp: also vamp/robots/NAME.hh for the motion planner VAMP, with the end effector in this frame; adds the groups "
+      "collision and transforms; robots only");
   subcommand->add_flag(
       "--c-selfcheck", options->checks_c,
       "c: also what the self-check of the library needs, in DIR/c/selfcheck; robots only");

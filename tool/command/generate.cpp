@@ -14,12 +14,14 @@
 #include "backend/gpu/gpu.h"
 #include "backend/languages.h"
 #include "backend/selfcheck/selfcheck.h"
+#include "backend/vamp/vamp.h"
 #include "command/output.h"
 #include "command/output_files.h"
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/derivatives.h"
 #include "driver/documents.h"
+#include "import/frame_patterns.h"
 
 namespace robcogen::command {
 namespace {
@@ -81,17 +83,20 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 }
 
 // Without a list, these are the default groups, and those whose frames are given. If functions are given, so is their
-// group. Headers of the first RobCoGen call functions of further groups.
+// group. Headers of the first RobCoGen and for VAMP call functions of further groups.
 std::vector<std::string> asked_groups(const GenerateOptions& options) {
   const ModelOptions& model = options.model;
   std::vector<std::string> groups = options.groups;
-  if (groups.empty() && !(model.contacts.empty() && model.inverses.empty() && model.functions.empty()))
+  if (groups.empty() &&
+      !(model.contacts.empty() && model.inverses.empty() && model.functions.empty() && options.vamp.empty()))
     groups = algorithm::default_groups();
   if (options.groups.empty() && !model.contacts.empty()) groups.emplace_back("contacts");
   if (options.groups.empty() && !model.inverses.empty()) groups.emplace_back("inverse_kinematics");
   if (!model.functions.empty()) groups.emplace_back(algorithm::kFusedGroup);
   if (!groups.empty() && !options.compatibility.empty())
     groups.insert(groups.end(), backend::compatibility::groups().begin(), backend::compatibility::groups().end());
+  if (!options.vamp.empty())
+    groups.insert(groups.end(), backend::vamp::groups().begin(), backend::vamp::groups().end());
   return groups;
 }
 
@@ -109,6 +114,23 @@ bool prepare_compatibility(const GenerateOptions& options, driver::Model& model)
   if (diagnostics.has_errors()) return false;
   backend::compatibility::add_link_transforms(robot.tree, robot.desired);
   return true;
+}
+
+// Adds the transform of the end effector, which becomes the name of its frame. Returns false if VAMP cannot plan for
+// the robot, or the robot has no such frame.
+bool prepare_vamp(GenerateOptions& options, driver::Model& model) {
+  driver::Robot& robot = std::get<driver::Robot>(model.content);
+  Diagnostics diagnostics;
+  backend::vamp::check(robot.tree, diagnostics);
+  const model::DesiredTransforms pairs = import::desired_by_patterns({{options.vamp, {}}}, robot.tree, diagnostics);
+  for (const model::FramePair& pair : pairs.transforms) {
+    if (robot.tree.link_of(pair.left) != 0) continue;
+    options.vamp = pair.right.name;
+    auto& desired = robot.desired.transforms;
+    if (std::find(desired.begin(), desired.end(), pair) == desired.end()) desired.push_back(pair);
+  }
+  report(diagnostics.render(options.model.messages));
+  return !diagnostics.has_errors();
 }
 
 // The groups that were named, in canonical order. Throws a Failure if the language does not offer one of them.
@@ -206,6 +228,7 @@ Status write_libraries(const GenerateOptions& options, const driver::Model& mode
       for (OutputFile& file : backend::selfcheck::print(library)) printed.push_back(std::move(file));
     if (language->name == "cpp") {
       files = std::move(printed);
+      if (!options.vamp.empty()) files.push_back(backend::vamp::print(library, options.vamp));
       if (options.compatibility.empty()) continue;
       for (OutputFile& file : backend::compatibility::print(library, {options.names.enclosing, include_path(options)}))
         files.push_back(std::move(file));
@@ -243,6 +266,8 @@ void require_options_of_transforms(const GenerateOptions& options) {
   if (!options.compatibility.empty())
     throw Failure{
         wrong_usage, "robcogen: error: --compatibility applies to robots only, not to motions and transforms"};
+  if (!options.vamp.empty())
+    throw Failure{wrong_usage, "robcogen: error: --vamp applies to robots only, not to motions and transforms"};
   if (options.checks_c)
     throw Failure{wrong_usage, "robcogen: error: --c-selfcheck applies to robots only, not to motions and transforms"};
   for (const backend::Language* language : languages_of(options))
@@ -266,6 +291,7 @@ void require_languages(const GenerateOptions& options) {
       {options.has_single_precision, "--single-precision", {"cpp"}},
       {options.is_double_only, "--double-only", {"cpp"}},
       {!options.compatibility.empty(), "--compatibility", {"cpp"}},
+      {!options.vamp.empty(), "--vamp", {"cpp"}},
       {options.checks_c, "--c-selfcheck", {"c"}},
       {!options.primitives.empty(), "--primitives", {"matlab", "maxima", "javascript"}}};
   const auto is_asked = [&](const std::string& language) { return contains(options.languages, language); };
@@ -306,6 +332,7 @@ Status list_outputs(const GenerateOptions& options) {
     for (const std::string& file :
          backend::cpp::outputs(folder, groups, !transforms, options.has_batches, levels_of(options)))
       print_output("{}\n", file);
+    if (!options.vamp.empty()) print_output("{}\n", backend::vamp::output(options.names.name));
     if (options.compatibility.empty()) continue;
     for (const std::string& file : backend::compatibility::outputs(folder, include_path(options)))
       print_output("{}\n", file);
@@ -331,7 +358,10 @@ Status generate(GenerateOptions options) {
   if (file.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs a model"};
   if (options.output.empty()) throw Failure{wrong_usage, "robcogen: error: generate needs an output folder: -o DIR"};
   if (is_transforms(options)) require_options_of_transforms(options);
-  std::optional<driver::Model> model = options.model.load(options.groups);
+  std::vector<std::string> groups = options.groups;
+  if (!options.vamp.empty()) groups.emplace_back(algorithm::kCollisionGroup);
+  std::optional<driver::Model> model = options.model.load(groups);
+  if (model && !options.vamp.empty() && !prepare_vamp(options, *model)) return wrong_input;
   if (model && !options.compatibility.empty() && !prepare_compatibility(options, *model)) return wrong_input;
   return model ? write_libraries(options, *model) : wrong_input;
 }

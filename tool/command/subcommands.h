@@ -24,6 +24,7 @@ struct GenerateOptions {
   bool is_double_only = false;  // the default, which may be stated
   std::string compatibility;    // `robcogen`: also the headers of the first RobCoGen; empty: none
   std::string include_path;     // folder of these headers
+  std::string vamp;             // the frame of the end effector: also a header for VAMP; empty: none
   bool checks_c = false;        // also what the self-check of the library in C needs
   bool list_outputs = false;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/collision_check.h"
 #include "driver/optimise.h"
 #include "pass/kernel_form.h"
 #include "support/parallel.h"
@@ -40,6 +41,8 @@ backend::Library library(const Model& model, const LibraryOptions& options, cons
   Functions functions = programs(model, groups, options.steps, features);
   backend::Library result = library_of(model, options.names, groups, std::move(functions), options.primitives);
   if (features.has_lanes) choose_kernels(result);
+  if (features.checks_collisions && model.robot())
+    result.collision_check = collision_check(model.robot()->tree, groups, options.steps);
   result.has_batches = options.has_batches;
   result.levels = options.levels;
   result.has_single_precision = options.has_single_precision;

@@ -212,6 +212,10 @@ robcogen_add_robot(TARGET hyl MODEL hyl.kindsl ROBOT base)
 # robcogen_add_robot(TARGET hyl): FLOATING_BASE is for URDF; a robot document states this itself: @DIR@/hyl.kindsl
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl FLOATING_BASE)
 
+#### vamp_without_cpp
+# robcogen_add_robot(TARGET hyl): VAMP is for C++: LANGUAGES must include cpp
+robcogen_add_robot(TARGET hyl MODEL hyl.kindsl LANGUAGES matlab VAMP tool)
+
 #### wrong_derivative
 # robcogen_add_robot(TARGET hyl): DERIVATIVES: 'inverse_dynamics' is not function:input or function:input,input, such as inverse_dynamics:q,qd, or all
 robcogen_add_robot(TARGET hyl MODEL hyl.kindsl DERIVATIVES jacobians.base_J_foot:q inverse_dynamics)

@@ -82,6 +82,7 @@ TEST(Usage, OptionsOfOtherLanguagesAreRefused) {
       {"--single-precision --language c maxima", "--single-precision is for --language cpp, not for c, maxima"},
       {"--double-only --language maxima", "--double-only is for --language cpp, not for maxima"},
       {"--processors baseline avx2 --language c", "--processors is for --language cpp, not for c"},
+      {"--vamp tool --language c", "--vamp is for --language cpp, not for c"},
       {"--primitives left", "--primitives is for --language matlab or maxima or javascript, not for cpp"}};
   for (const auto& [options, message] : cases) {
     const Outcome run =

@@ -3,28 +3,13 @@
 
 #include <limits>
 
-#include "programs.h"
+#include "run_stage.h"
 #include "support/index.h"
 
 namespace robcogen::symbolic::cut_program_test {
 namespace {
 
 constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
-// Runs a stage over these arrays.
-void run(Program p, Arrays<double>& arrays) {
-  std::vector<OutputArray> outputs = p.outputs;
-  for (OutputArray& output : p.outputs)
-    for (Operand& o : output.values)
-      if (o == kNotWritten) o = {Operand::Kind::input, 0};
-  EXPECT_EQ(verify(p), "");
-  Arrays<double> given;
-  for (const InputArray& input : p.inputs) given[input.name] = arrays.at(input.name);
-  const Arrays<double> computed = interpret<double>(p, given);
-  for (const OutputArray& output : outputs)
-    for (std::size_t k = 0; k < output.values.size(); ++k)
-      if (output.values[k] != kNotWritten) arrays.at(output.name).at(k) = computed.at(output.name)[k];
-}
 
 // What the stages make of the outputs. They read no element of the workspace before one of them writes it.
 Arrays<double> run(const Stages& stages, const Arrays<double>& inputs, const std::vector<OutputArray>& outputs) {
@@ -33,13 +18,13 @@ Arrays<double> run(const Stages& stages, const Arrays<double>& inputs, const std
   all[kWorkspace].assign(at(stages.workspace), kUnset);
   for (const Stage& stage : stages.list) {
     EXPECT_FALSE(stage.program.outputs.empty());
-    if (stage.columns.empty()) run(stage.program, all);
+    if (stage.columns.empty()) test::run_stage(stage.program, all);
     for (const Stage::Columns& columns : stage.columns) {
       std::vector<double>& array = all.at(outputs[at(columns.output)].name);
       for (int k = 0; k < columns.runs; ++k) {
         const auto first = array.begin() + columns.first + k * columns.stride;
         all[kColumns].assign(first, first + columns.stride);
-        run(stage.program, all);
+        test::run_stage(stage.program, all);
         std::copy(all.at(kColumns).begin(), all.at(kColumns).end(), first);
       }
     }

@@ -104,6 +104,8 @@ std::vector<PlannedFile<Api>> files(
   if (has_robot)
     for (const char* group : {kParameters, kTrigonometry}) add_kernels(group);
   for (const std::string& group : groups) add_kernels(group);
+  if (has_robot && std::find(groups.begin(), groups.end(), kCollision) != groups.end())
+    add(header_path(folder, kCollisionCheck), print_collision_check);
   for (const std::string& level : levels)
     for (int part = 1; part <= kLevelParts; ++part) add(level_path(folder, level, part), print_level, level, part);
   if (!has_batches) return list;

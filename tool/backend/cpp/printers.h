@@ -25,6 +25,10 @@ inline constexpr const char* kParameters = "parameters";
 // The same for the sines and cosines of all joints.
 inline constexpr const char* kTrigonometry = "trigonometry";
 
+// The group of functions with which a robot has checks for collisions, and the file stem of these.
+inline constexpr const char* kCollision = "collision";
+inline constexpr const char* kCollisionCheck = "collision_check";
+
 // Processor levels, named like the enumerators of robcogen::Level.
 inline constexpr const char* kLevels[] = {"baseline", "avx2", "avx512"};
 
@@ -80,6 +84,9 @@ std::string batch_kernel_declarations(const Api& api);
 // The reference of a header to the library's model, and its definition in the source of a group, if that has it.
 std::string identity_reference(const Api& api, const std::string& header);
 std::string identity_definition(const Api& api, const std::string& group);
+
+// Checks that end early: robots with the group `collision`.
+std::string print_collision_check(const Api& api, const std::string& path);
 
 std::string print_umbrella(const Api& api, const std::string& path);
 std::string print_definitions(const Api& api, const std::string& path);
