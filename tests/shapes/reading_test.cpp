@@ -172,6 +172,13 @@ TEST(Shapes, FindMeshesOfPackages) {
   driver::LoadOptions with_folder = all_shapes();
   with_folder.import_folders = {folder.path() / "clone-main"};
   EXPECT_TRUE(finds(elsewhere, with_folder));
+  // A copy of the document, such as that which an editor makes of a text that is not saved.
+  with_folder.import_folders = {folder.path() / "clone-main" / "urdf"};
+  EXPECT_TRUE(finds(elsewhere, with_folder));
+  const auto copy = folder.file("elsewhere/r.urdf", mesh("../meshes/t.obj"));
+  EXPECT_FALSE(finds(copy, all_shapes()));
+  EXPECT_TRUE(finds(copy, with_folder));
+  folder.file("elsewhere/r.urdf", in_package);
   folder.file("ws/arm_description/meshes/t.obj", kTetrahedron);
   folder.file("install/share/arm_description/meshes/t.obj", kTetrahedron);
   {

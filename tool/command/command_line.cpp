@@ -135,9 +135,8 @@ void declare_import_folders(CLI::App& subcommand, std::vector<std::filesystem::p
   subcommand
       .add_option(
           "-I,--import-folder", folders,
-          "Folder to search for imported documents, after the folder of the importing document, and for models that an "
-          "SDF "
-          "includes")
+          "Folder to search for imported documents, after the folder of the importing document, and for meshes and "
+          "models that documents name")
       ->allow_extra_args(false);
 }
 

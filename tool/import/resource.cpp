@@ -75,13 +75,16 @@ std::optional<fs::path> in_named_folder(
     if (is_package(searched, name.string()))
       if (const auto found = existing(searched / path)) return found;
   }
-  std::error_code fault;
-  const fs::path start = fs::absolute(folder, fault).lexically_normal();
-  for (fs::path around = start; !fault; around = around.parent_path()) {
-    if (const auto found = existing(around / name_and_path)) return found;
-    if (is_package(around, name.string()))
-      if (const auto found = existing(around / path)) return found;
-    if (around == around.parent_path()) break;
+  std::vector<fs::path> inner = {folder};
+  inner.insert(inner.end(), folders.begin(), folders.end());
+  for (const fs::path& start : inner) {
+    std::error_code fault;
+    for (fs::path around = fs::absolute(start, fault).lexically_normal(); !fault; around = around.parent_path()) {
+      if (const auto found = existing(around / name_and_path)) return found;
+      if (is_package(around, name.string()))
+        if (const auto found = existing(around / path)) return found;
+      if (around == around.parent_path()) break;
+    }
   }
   return std::nullopt;
 }
@@ -101,7 +104,10 @@ std::optional<fs::path> find_resource(
   const std::string file = "file://";
   if (uri.starts_with(file)) return existing(folder / uri.substr(file.size()));
   if (uri.find("://") != std::string::npos) return std::nullopt;
-  return existing(folder / uri);
+  if (const auto found = existing(folder / uri)) return found;
+  for (const fs::path& searched : folders)
+    if (const auto found = existing(searched / uri)) return found;
+  return std::nullopt;
 }
 
 }  // namespace robcogen::import
