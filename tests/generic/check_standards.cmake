@@ -19,6 +19,7 @@ endfunction()
 file(GLOB_RECURSE headers RELATIVE ${HEADERS} ${HEADERS}/robcogen/*.h)
 list(FILTER headers EXCLUDE REGEX "/python/")  # these need the headers of Python
 list(FILTER headers EXCLUDE REGEX "/ros/")  # most of these need ROS
+list(FILTER headers EXCLUDE REGEX "/vamp\\.h$")  # this needs the headers of VAMP
 list(FILTER headers EXCLUDE REGEX "/compatibility/")  # these need the headers of the first RobCoGen
 list(FILTER headers EXCLUDE REGEX "/gpu/(arrays|scalar)\\.h$")  # parts of gpu/dialect.h
 set(older "")

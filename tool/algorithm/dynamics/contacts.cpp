@@ -207,7 +207,8 @@ Program minimum_torque_inverse_dynamics(
   std::vector<Expression> roots;
   std::vector<std::vector<Expression>> scaled;  // E, by row
   for (int r = 0; r < rows.size(); ++r) {
-    roots.push_back(sqrt(weights[at(r)]));
+    const Expression square = weights[at(r)] * weights[at(r)];
+    roots.push_back(sqrt(sqrt(square)));  // a magnitude: finite whatever the sign
     std::vector<Expression>& row = scaled.emplace_back();
     for (const Expression& element : rows.J[at(r)]) row.push_back(roots.back() * element);
   }
