@@ -2,8 +2,7 @@
 
 #include <array>
 #include <functional>
-#include <unordered_map>
-#include <utility>
+#include <type_traits>
 
 namespace robcogen::symbolic {
 namespace {
@@ -42,23 +41,33 @@ SineCosine computed(const DoubleDouble& angle) {
   return {-cosine, sine};
 }
 
-struct Hash {
-  std::size_t operator()(const std::pair<double, double>& angle) const {
-    const std::hash<double> hash;
-    return hash(angle.first) * 31 + hash(angle.second);
-  }
+struct Known {
+  bool is_known = false;
+  DoubleDouble angle;
+  SineCosine value;
 };
+
+// A thread's last results, each in the place that its angle's hash gives. There is nothing to destroy: programs of MinGW
+// release a thread's memory before they call the destructors of its variables (gcc bug 80816).
+constexpr std::size_t kPlaces = 1 << 13;
+using Table = std::array<Known, kPlaces>;
+static_assert(std::is_trivially_destructible_v<Table>);
+
+std::size_t place_of(const DoubleDouble& angle) {
+  const std::hash<double> hash;
+  const std::size_t mixed = hash(angle.high) * 31 + hash(angle.low);
+  return (mixed ^ mixed >> 29) % kPlaces;
+}
 
 }  // namespace
 
 // The programs of one robot use the same angles in the same states: each thread computes each of them once.
 SineCosine sine_cosine(const DoubleDouble& angle) {
-  constexpr std::size_t kMaxKnown = 1 << 16;
-  thread_local std::unordered_map<std::pair<double, double>, SineCosine, Hash> known;
-  if (known.size() >= kMaxKnown) known.clear();
-  const auto [place, is_new] = known.try_emplace({angle.high, angle.low});
-  if (is_new) place->second = computed(angle);
-  return place->second;
+  thread_local Table table;
+  Known& known = table[place_of(angle)];
+  if (!known.is_known || known.angle.high != angle.high || known.angle.low != angle.low)
+    known = {true, angle, computed(angle)};
+  return known.value;
 }
 
 // Refines a rough angle in two steps. Each adds the arc sine of the remaining sine up to the third order, which
