@@ -98,9 +98,18 @@ Counts count(const Arguments& arguments) {
   return counts;
 }
 
+Counts read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return read_counts({std::istreambuf_iterator<char>(file), {}});
+}
+
+// The counts of robots whose models are not given are kept.
 int update(const Arguments& arguments) {
+  Counts counts = read(arguments.file);
+  for (auto& [robot, functions] : count(arguments)) counts[robot] = std::move(functions);
   std::ofstream file(arguments.file, std::ios::binary);
-  file << counts_text(count(arguments));
+  file << counts_text(counts);
   file.close();
   if (!file) throw std::runtime_error("cannot write " + arguments.file);
   fmt::print("written: {}\n", arguments.file);
@@ -108,9 +117,7 @@ int update(const Arguments& arguments) {
 }
 
 int check(const Arguments& arguments) {
-  std::ifstream file(arguments.file, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + arguments.file);
-  Counts before = read_counts({std::istreambuf_iterator<char>(file), {}});
+  Counts before = read(arguments.file);
   Changes all;
   for (const auto& [robot, functions] : count(arguments)) {
     const Changes found = changes(robot, before[robot], functions);

@@ -1,19 +1,20 @@
 // Generates code for one robot with Pinocchio and CppADCodeGen. It has the arguments and results of this project's
 // functions, so that neither side converts:
-//     generate_cppadcodegen ROBOT.urdf ROBOT.inc JOINT…
-// The joints are in the order of joint vectors. With `--floating` before them, the base floats, by a joint of the URDF
-// or by one that is added.
+//     generate_cppadcodegen ROBOT.urdf ROBOT.inc [--floating] [JOINT…]
+// The joints are in the order of joint vectors; without any, they are those of the URDF, which `robcogen convert`
+// writes in this order. With `--floating`, or a floating joint in the URDF, the base floats.
 #include <cmath>
 #include <cppad/cg.hpp>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <pinocchio/codegen/cppadcg.hpp>
 // These headers must follow the one above.
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/parsers/urdf.hpp>
-#include <sstream>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -65,14 +66,25 @@ struct Robot {
   }
 };
 
-Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool floating) {
+// The names of the joints that move one coordinate, in the order of the text.
+std::vector<std::string> joints_of(const std::string& urdf) {
+  static const std::regex joint(R"re(<joint name="([^"]+)" type="(revolute|continuous|prismatic)")re");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(urdf.begin(), urdf.end(), joint), end; at != end; ++at) names.push_back((*at)[1]);
+  return names;
+}
+
+Robot load(const std::string& path, std::vector<std::string> joints, bool floating) {
+  std::ifstream file(path);
+  const std::string urdf((std::istreambuf_iterator<char>(file)), {});
+  const bool has_floating_joint = urdf.find("\"floating\"") != std::string::npos;
+  if (joints.empty()) joints = joints_of(urdf);
   pinocchio::Model model;
-  std::ostringstream text;
-  text << std::ifstream(urdf).rdbuf();
-  if (floating && text.str().find("\"floating\"") == std::string::npos)
-    pinocchio::urdf::buildModelFromXML(text.str(), pinocchio::JointModelFreeFlyer(), model);
+  if (floating && !has_floating_joint)
+    pinocchio::urdf::buildModelFromXML(urdf, pinocchio::JointModelFreeFlyer(), model);
   else
-    pinocchio::urdf::buildModelFromXML(text.str(), model);
+    pinocchio::urdf::buildModelFromXML(urdf, model);
+  floating = floating || has_floating_joint;
   // Rounding errors of the zeros of right angles would become arithmetic.
   for (pinocchio::SE3& placement : model.jointPlacements)
     placement.rotation() = placement.rotation().unaryExpr(
@@ -87,7 +99,10 @@ Robot load(const std::string& urdf, const std::vector<std::string>& joints, bool
     robot.places.push_back(of_model.idx_q());
     robot.is_angle.push_back(of_model.nq() == 2);
   }
-  if (static_cast<int>(robot.order.size()) != model.nv) throw std::runtime_error("the URDF has other joints");
+  if (static_cast<int>(robot.order.size()) != model.nv)
+    throw std::runtime_error(
+        "the URDF has other joints too, or a joint that follows another, which Pinocchio has no forward dynamics for: "
+        "leave them out with robcogen convert --keep");
   return robot;
 }
 
@@ -165,7 +180,7 @@ int main(int argc, char** argv) {
   const bool floating = !joints.empty() && joints.front() == "--floating";
   if (floating) joints.erase(joints.begin());
   if (argc < 3) {
-    std::cerr << "usage: generate_cppadcodegen ROBOT.urdf ROBOT.inc [--floating] JOINT…\n";
+    std::cerr << "usage: generate_cppadcodegen ROBOT.urdf ROBOT.inc [--floating] [JOINT…]\n";
     return 2;
   }
   try {
