@@ -51,8 +51,8 @@ const Element* ElementReader::child(const Element& element, const std::string& n
 const Element* ElementReader::require_child(const Element& element, const std::string& name) const {
   const Element* found = child(element, name);
   if (found == nullptr)
-    diagnostics_.error("missing-element", element.place, fmt::format("this '{}' has no '{}'", element.name, name)).hint =
-        fmt::format("write <{0}>...</{0}>", name);
+    diagnostics_.error("missing-element", element.place, fmt::format("this '{}' has no '{}'", element.name, name))
+        .hint = fmt::format("write <{0}>...</{0}>", name);
   return found;
 }
 
@@ -64,11 +64,11 @@ Name ElementReader::name(const Element& element) const {
         fmt::format("this '{}' has no name", element.name));
     return {"", element.place};
   }
-  const bool is_reserved =
-      found->value == "world" || (found->value.starts_with("__") && found->value.ends_with("__"));
+  const bool is_reserved = found->value == "world" || (found->value.starts_with("__") && found->value.ends_with("__"));
   if (is_reserved)
     diagnostics_.error(
-        "reserved-name", found->place, fmt::format("'{}' is a name that SDF reserves for its own frames", found->value));
+        "reserved-name", found->place,
+        fmt::format("'{}' is a name that SDF reserves for its own frames", found->value));
   return {found->value, found->place};
 }
 
@@ -92,19 +92,27 @@ bool ElementReader::flag(const Attribute& value, bool otherwise) const {
   return otherwise;
 }
 
-bool ElementReader::flag(const Element& element, const char* name, bool otherwise) const {
+const Element* ElementReader::child_with_value(const Element& element, const char* name) const {
   const Element* found = child(element, name);
+  if (found == nullptr || !found->text.empty()) return found;
+  diagnostics_.warning(
+      "empty-element", found->place, fmt::format("this '{}' is empty, and taken as if it were not there", name));
+  return nullptr;
+}
+
+bool ElementReader::flag(const Element& element, const char* name, bool otherwise) const {
+  const Element* found = child_with_value(element, name);
   return found == nullptr ? otherwise : flag(xml::text_of(*found), otherwise);
 }
 
 Number ElementReader::number(const Element& element, const char* name, const Number& otherwise) {
-  const Element* found = child(element, name);
+  const Element* found = child_with_value(element, name);
   if (found == nullptr) return otherwise;
   return values_.read(xml::text_of(*found), 1, 1).value_or(std::vector<Number>{otherwise})[0];
 }
 
 double ElementReader::limit(const Element& element, const char* name, double otherwise) {
-  const Element* found = child(element, name);
+  const Element* found = child_with_value(element, name);
   if (found == nullptr) return otherwise;
   const Attribute text = xml::text_of(*found);
   if (const auto value = infinite(text.value)) return *value;
@@ -136,7 +144,8 @@ std::array<Number, 3> ElementReader::direction(const Element& element, const std
 Rotation ElementReader::rotation(const Element& pose, const std::vector<Number>& values, const std::string& owner) {
   const Attribute text = xml::text_of(pose);
   if (values.size() == 7) {
-    const std::array<long double, 4> wxyz = {values[6].value(), values[3].value(), values[4].value(), values[5].value()};
+    const std::array<long double, 4> wxyz = {
+        values[6].value(), values[3].value(), values[4].value(), values[5].value()};
     if (wxyz != std::array<long double, 4>()) return rotation_of_quaternion(wxyz);
     diagnostics_.error("no-direction", text.place, fmt::format("the quaternion of {} is zero", owner));
     return {};

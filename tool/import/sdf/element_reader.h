@@ -33,7 +33,7 @@ class ElementReader {
   static Name reference(const Element& element, const char* attribute);
   static Name reference(const Element& element);
 
-  // Reads the text of a child; `otherwise` if there is no such child.
+  // Reads the text of a child; `otherwise` if there is no such child, or, with a warning, if it is empty.
   bool flag(const Element& element, const char* child, bool otherwise) const;
   Number number(const Element& element, const char* child, const Number& otherwise = Number());
   // As above; infinite values are allowed, and those from 1e9 on are infinite.
@@ -51,6 +51,7 @@ class ElementReader {
   Diagnostics& diagnostics_;
   xml::Values values_;
 
+  const Element* child_with_value(const Element& element, const char* name) const;
   bool flag(const Attribute& value, bool otherwise) const;
   Rotation rotation(const Element& pose, const std::vector<Number>& values, const std::string& owner);
 };

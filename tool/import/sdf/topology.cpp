@@ -89,10 +89,21 @@ class Connector {
           .error(
               "two-roots", name.place,
               fmt::format("link '{}' and {} are both roots: neither is the child of a joint", name.text, other))
-          .hint = "connect them by a joint";
+          .hint = way_to_connect(static_cast<int>(l));
       return;
     }
     topology_.root = first == -2 ? kWorldLink : first;
+  }
+
+  // A link that joints lead to only backwards becomes a child if one of them changes its direction.
+  std::string way_to_connect(int root) const {
+    for (const Joint& joint : document_.joints)
+      if (joint.parent_link == root && topology_.parent_joint[at(joint.child_link)] != &joint - document_.joints.data())
+        return fmt::format(
+            "let joint '{}' lead to it: exchange 'parent' and 'child', reverse its axis, and keep the place of its "
+            "pose",
+            joint.name.text);
+    return "connect them by a joint";
   }
 
   void walk_from_root() {
