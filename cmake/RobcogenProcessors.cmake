@@ -22,12 +22,12 @@ function(_robcogen_has_levels result)
   endif()
 endfunction()
 
-# Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS, or avx2 without it,
-# because AVX-512 gains little for one state. There are none if options of the library or of the build choose a processor
-# or disable optimisation, or if nothing is generated in C++.
+# Sets library_levels to the levels that kernels of one state are compiled for: those of PROCESSORS, or both without it.
+# There are none if options of the library or of the build choose a processor or disable optimisation, or if nothing is
+# generated in C++.
 function(_robcogen_choose_levels)
   set(library_levels "" PARENT_SCOPE)
-  set(levels avx2)
+  set(levels avx2 avx512)
   if(library_PROCESSORS)
     set(levels ${library_PROCESSORS})
     list(REMOVE_ITEM levels baseline)

@@ -23,7 +23,7 @@ test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-k
 more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
   python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros python3-venv
-  g++-mingw-w64-x86-64-posix wine wine64)
+  g++-mingw-w64-x86-64-posix wine wine64 g++-11 clang-16 clang-19 libc++-16-dev libc++abi-16-dev)
 
 usage() {
   sed -n '2,12s/^# \{0,1\}//p' cmake/bootstrap.sh

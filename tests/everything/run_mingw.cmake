@@ -27,7 +27,7 @@ set(ENV{WINEDEBUG} -all)
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/mingw -B ${FOLDER}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/robots -B ${FOLDER}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
     --toolchain ${CMAKE_CURRENT_LIST_DIR}/mingw/toolchain.cmake -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL})
 run(${CMAKE_COMMAND} --build ${FOLDER}/build --parallel 2)
 # The first program that wine runs makes its configuration, which takes a while.

@@ -3,6 +3,9 @@
 
 namespace robcogen::symbolic {
 
+// What a kernel is compiled for, from the oldest processors to the newest.
+enum class Level { baseline, avx2, avx512 };
+
 // Decided from the programs before anything is printed (pass/kernel_form.h). The defaults are those of a function whose
 // programs were not examined.
 struct KernelForm {
@@ -15,8 +18,8 @@ struct KernelForm {
   bool inlines_core_in_lanes = false;
   // The kernel calls functions for its sines, in place of containing them.
   bool calls_sines = false;
-  // A version for a higher processor level is expected to be faster.
-  bool gains_by_level = false;
+  // The highest level at which the kernel is expected to be faster than at the one below.
+  Level level = Level::baseline;
   // Over many states, the function is computed one state at a time.
   bool takes_single_states = false;
 };

@@ -73,6 +73,32 @@ TEST(Print, LevelsChangeOnlyWhatGains) {
   EXPECT_EQ(changed, (Names{"leg/reflection.h", "leg/kernels_avx2_1.cpp", "leg/kernels_avx2_2.cpp"}));
 }
 
+// A kernel that gains nothing more at a higher level has none there, but at the only level.
+TEST(Print, KernelsAreCompiledForTheLevelsAtWhichTheyGain) {
+  Library library = test::leg_library();
+  library.groups = {"large", "brief"};
+  for (const auto& [name, level] :
+       {std::pair("large", symbolic::Level::avx512), std::pair("brief", symbolic::Level::avx2)}) {
+    library.functions.push_back(test::function(name, name, test::leg_program("return tau q[0]\n")));
+    library.functions.back().form.level = level;
+  }
+  const auto compiled = [&](const std::string& level) {
+    const std::string stem = "leg/kernels_" + level + "_";
+    const std::string text = file(library, stem + "1.cpp") + file(library, stem + "2.cpp");
+    Names names;
+    for (const std::string& group : library.groups)
+      if (text.find("void " + group + "(") != std::string::npos) names.push_back(group);
+    return names;
+  };
+  library.levels = {"avx2", "avx512"};
+  EXPECT_EQ(compiled("avx2"), (Names{"large", "brief"}));
+  EXPECT_EQ(compiled("avx512"), (Names{"large"}));
+  EXPECT_NE(file(library, "leg/large.cpp").find("use_avx512_large<double>();"), std::string::npos);
+  EXPECT_EQ(file(library, "leg/brief.cpp").find("use_avx512"), std::string::npos);
+  library.levels = {"avx512"};
+  EXPECT_EQ(compiled("avx512"), (Names{"large", "brief"}));
+}
+
 TEST(Print, TheToolsVersionStandsInOneFileOnly) {
   Library library = test::leg_library();
   library.groups = kGroups;

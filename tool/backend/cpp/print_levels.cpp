@@ -16,14 +16,30 @@ namespace {
 // then has no name under which the linker could take it for the code of another.
 constexpr const char* kAround = "robcogen_level";
 
-// Whether a higher level is expected to be faster; it is for the sines and cosines of all joints.
-bool gains(const CompiledKernel& kernel) {
-  return kernel.callable == nullptr || kernel.callable->function->form.gains_by_level;
+// The highest level that is expected to be faster; AVX2 for the sines and cosines of all joints.
+symbolic::Level highest_level(const CompiledKernel& kernel) {
+  return kernel.callable == nullptr ? symbolic::Level::avx2 : kernel.callable->function->form.level;
 }
 
+bool gains(const CompiledKernel& kernel) {
+  return highest_level(kernel) != symbolic::Level::baseline;
+}
+
+// The kernels of which a program chooses a version.
 std::vector<CompiledKernel> chosen(const Api& api, const std::string& group) {
   std::vector<CompiledKernel> result = compiled_kernels(api, group);
   std::erase_if(result, [](const CompiledKernel& k) { return !gains(k); });
+  return result;
+}
+
+// Those that are compiled for this level. All are for the lowest of a library.
+std::vector<CompiledKernel> compiled_for(const Api& api, const std::string& level, const std::string& group) {
+  std::vector<CompiledKernel> result = chosen(api, group);
+  if (level == api.library->levels.front()) return result;
+  std::erase_if(result, [&](const CompiledKernel& k) {
+    const auto highest = std::begin(kLevels) + static_cast<std::ptrdiff_t>(highest_level(k));
+    return std::find(std::begin(kLevels), highest + 1, level) == highest + 1;
+  });
   return result;
 }
 
@@ -105,6 +121,13 @@ std::string setter(const std::vector<CompiledKernel>& kernels, const std::string
   return text + "}\n";
 }
 
+// The levels that kernels of the group are compiled for.
+std::vector<std::string> levels_of(const Api& api, const std::string& group) {
+  std::vector<std::string> levels = api.library->levels;
+  std::erase_if(levels, [&](const std::string& level) { return compiled_for(api, level, group).empty(); });
+  return levels;
+}
+
 // The function `levels::<group>`, and its call before main.
 std::string choice(const Api& api, const std::string& group) {
   std::string body = "  [[maybe_unused]] const robcogen::Level level = robcogen::available(most);\n";
@@ -116,7 +139,7 @@ std::string choice(const Api& api, const std::string& group) {
   };
   // The highest level comes last and prevails.
   body += use(kLevels[0], "  ");
-  for (const std::string& level : api.library->levels)
+  for (const std::string& level : levels_of(api, group))
     body += if_compiled(level, "  if (level >= robcogen::Level::" + level + ") {\n" + use(level, "    ") + "  }\n");
   const std::string function = "void " + group + "(robcogen::Level most) noexcept {\n" + body + "}\n";
   return paragraphs(
@@ -142,9 +165,10 @@ std::string chosen_kernels(const Api& api, const std::string& group) {
   });
   std::vector<std::string> setters = {setter(kernels, group, kLevels[0])};
   std::string declarations;
-  for (const std::string& level : api.library->levels) {
-    setters.push_back(if_compiled(level, setter(kernels, group, level)));
-    declarations += if_compiled(level, in_namespace(level, in_their_namespaces(kernels, [](const CompiledKernel& k) {
+  for (const std::string& level : levels_of(api, group)) {
+    const std::vector<CompiledKernel> compiled = compiled_for(api, level, group);
+    setters.push_back(if_compiled(level, setter(compiled, group, level)));
+    declarations += if_compiled(level, in_namespace(level, in_their_namespaces(compiled, [](const CompiledKernel& k) {
                                                       return signature("void " + k.name, k.parameters, " noexcept;");
                                                     })));
   }
@@ -159,12 +183,14 @@ std::string chosen_kernels(const Api& api, const std::string& group) {
       paragraphs({declarations, "namespace {\n\n" + own + "\n}  // namespace\n", forwarders, choice(api, group)}));
 }
 
-// The groups of a part: about as many statements as in the other parts.
-std::vector<std::string> groups_in(const Api& api, int part) {
+// The groups of a part of a level: about as many statements as in the other parts.
+std::vector<std::string> groups_in(const Api& api, const std::string& level, int part) {
   std::vector<std::pair<std::size_t, std::string>> sizes;
   for (const std::string& group : groups_with_levels(api)) {
+    const std::vector<CompiledKernel> kernels = compiled_for(api, level, group);
+    if (kernels.empty()) continue;
     std::size_t size = 0;
-    for (const CompiledKernel& k : chosen(api, group))
+    for (const CompiledKernel& k : kernels)
       if (k.callable) size += k.callable->function->program.statements.size();
     sizes.emplace_back(size, group);
   }
@@ -208,20 +234,21 @@ std::string print_choice(const Api& api, const std::string& group, const std::st
 
 std::string print_level(const Api& api, const std::string& level, int part, const std::string& path) {
   const std::string guard = "#if ROBCOGEN_HAS_LEVELS && defined(ROBCOGEN_WITH_" + upper_case(level) + ")\n";
-  const std::vector<std::string> groups = groups_in(api, part);
+  const std::vector<std::string> groups = groups_in(api, level, part);
+  const std::string head = banner(*api.library, path, "kernels for one processor level");
+  if (groups.empty()) return paragraphs({head, "// No kernel is expected to gain.\n"});
   std::string instantiated;
   std::vector<CompiledKernel> kernels;
   for (const std::string& group : groups)
-    for (const CompiledKernel& k : chosen(api, group)) {
+    for (const CompiledKernel& k : compiled_for(api, level, group)) {
       kernels.push_back(k);
       instantiated += explicit_instantiations(api, qualified(k));
     }
   const std::string forwarders =
       in_their_namespaces(kernels, [&](const CompiledKernel& k) { return forwarder(k, baseline_of(api)); });
   return paragraphs(
-      {banner(*api.library, path, "kernels for one processor level"), includes_of_kernels(api, {}), guard,
-       own_kernels(api, groups), in_namespace(api.space + "::kernel::" + level, paragraphs({forwarders, instantiated})),
-       "#endif\n"});
+      {head, includes_of_kernels(api, {}), guard, own_kernels(api, groups),
+       in_namespace(api.space + "::kernel::" + level, paragraphs({forwarders, instantiated})), "#endif\n"});
 }
 
 std::string use_level(const Api& api) {
