@@ -84,7 +84,7 @@ const std::vector<std::pair<std::string, std::string>> kDeclarations = {
     {"system_error charconv", "std::errc"},
     {"thread", "std::thread"},
     {"tuple", "std::tie std::tuple"},
-    {"type_traits", "std::is_same_v std::remove_cvref_t"},
+    {"type_traits", "std::is_same_v std::is_trivially_destructible_v std::remove_cvref_t"},
     {"unordered_map", "std::unordered_map"},
     {"unordered_set", "std::unordered_set"},
     {"utility", "std::as_const std::exchange std::forward std::move std::pair std::swap"},
