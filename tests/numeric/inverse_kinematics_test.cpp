@@ -63,8 +63,6 @@ std::string placement(const Placed& p, const std::string& parameters) {
 
 KinematicTree tree_of(const Chain& chain, bool has_parameters = false) {
   const auto named = [&](const std::string& name) { return has_parameters ? name : ""; };
-  // A length along the axis of a task is not known to be one.
-  const std::string tool = chain.kind == InverseTask::Kind::axis ? "" : named("tool_");
   std::string text = "Robot chain {\nRobotBase base { children { L1 via J1 } }\n";
   const std::size_t n = chain.joints.size();
   for (std::size_t k = 1; k <= n; ++k) {
@@ -72,7 +70,7 @@ KinematicTree tree_of(const Chain& chain, bool has_parameters = false) {
     text += "link L" + own + " { id = " + own + " children {";
     if (k < n) text += " L" + next + " via J" + next;
     text += " } ";
-    if (k == n) text += "frames { tool { " + placement(chain.tool, tool) + " } }";
+    if (k == n) text += "frames { tool { " + placement(chain.tool, named("tool_")) + " } }";
     text += " }\n";
   }
   for (std::size_t k = 1; k <= n; ++k) {
@@ -239,7 +237,10 @@ TEST(InverseKinematics, SignsNameTheBranch) {
 
 // Lengths that are parameters leave the classes as they are, wherever they are along an axis.
 TEST(InverseKinematics, LengthsAreParameters) {
-  for (const Chain& chain : chains(4)) {
+  std::vector<Chain> list = chains(4);
+  list.push_back(list.back());
+  list.back().tool.turn_x = 3;  // the axis is opposite to the length of the tool
+  for (const Chain& chain : list) {
     if (chain.by_swivel) continue;
     SCOPED_TRACE(chain.name);
     const Inverted inverted = inverted_chain(chain, true);
@@ -282,8 +283,13 @@ Chain calibrated(Chain chain, double off, std::uint64_t seed) {
 std::vector<Chain> calibrated_chains() {
   const std::vector<Chain> known = chains(1);
   std::vector<Chain> list;
-  // A wrist, parallel axes, a given joint, a leg to a point, an axis.
-  for (const std::size_t k : {0, 2, 9, 10, 13}) list.push_back(calibrated(known[k], 1e-4, k + 1));
+  // A wrist, parallel axes, the swivel, a given joint, a leg to a point, an axis.
+  for (const std::size_t k : {0, 2, 7, 9, 10, 13}) list.push_back(calibrated(known[k], 1e-4, k + 1));
+  Chain offset = known[7];
+  offset.name += ", the elbow has an offset";
+  offset.joints[3].x = 0.08;
+  offset.joints[4].x = -0.08;
+  list.push_back(calibrated(offset, 1e-4, 3));
   return list;
 }
 
@@ -395,8 +401,8 @@ TEST(InverseKinematics, NoSolutionIsMissing) {
 
 // ---- Chains without closed form.
 
-algorithm::InverseKinematicsReport report_of(const Chain& chain) {
-  const KinematicTree tree = tree_of(chain);
+algorithm::InverseKinematicsReport report_of(const Chain& chain, bool has_parameters = false) {
+  const KinematicTree tree = tree_of(chain, has_parameters);
   return algorithm::report_inverse_kinematics(
       tree, model::frame_pair(tree, "fr_base", "tool"), {chain.kind, chain.given, chain.by_swivel, chain.tolerance});
 }
@@ -439,6 +445,18 @@ TEST(InverseKinematics, SaysWhyThereIsNone) {
   wrist.tolerance = 1e-5;
   EXPECT_FALSE(report_of(wrist).has_closed_form);
   EXPECT_NE(report_of(calibrated_chains()[2]).reason.find("nominal chain"), std::string::npos);
+  Chain swivel = calibrated_chains()[2];
+  swivel.tolerance = 0.0;
+  EXPECT_NE(report_of(swivel).hint.find("'tolerance = 0.001'"), std::string::npos) << report_of(swivel).hint;
+  swivel.by_swivel = false;
+  EXPECT_NE(report_of(swivel).hint.find("'swivel, tolerance = 0.001'"), std::string::npos) << report_of(swivel).hint;
+
+  // A parameter that is zero by default.
+  Chain shifted = known[0];
+  shifted.joints[5].x = 1e-9;
+  report = report_of(shifted, true);
+  EXPECT_FALSE(report.has_closed_form);
+  EXPECT_EQ(report.hint.find("axes must meet and be parallel whatever the values"), 0U) << report.hint;
 
   Chain redundant = known[9];
   redundant.given = -1;

@@ -253,7 +253,7 @@ std::vector<import::NamedInverse> named_inverses(const std::vector<std::string>&
         (!task.empty() && task != "point" && task != "axis" && task != "swivel" && !is_given)) {
       diagnostics.error("wrong-inverse", places[k], fmt::format("'{}' does not say what to invert", words[k])).hint =
           "write LEFT:RIGHT for the pose of RIGHT in LEFT, or LEFT:RIGHT:point, LEFT:RIGHT:axis, "
-          "LEFT:RIGHT:swivel or LEFT:RIGHT:given=JOINT; all but the swivel may have :tolerance=1e-3 behind them";
+          "LEFT:RIGHT:swivel or LEFT:RIGHT:given=JOINT; :tolerance=1e-3 may be behind them";
       continue;
     }
     inverse.left = parts[0];

@@ -13,14 +13,6 @@ namespace {
 // Whether a chain may have this tolerance.
 bool is_tolerance(const NamedInverse& inverse, Diagnostics& diagnostics) {
   constexpr double kMost = 0.1;
-  if (inverse.by_swivel) {
-    diagnostics
-        .error(
-            "swivel-with-tolerance", inverse.place,
-            "a swivel angle needs axes that meet exactly: it cannot have a tolerance")
-        .hint = "give a joint instead";
-    return false;
-  }
   const double tolerance = *inverse.tolerance;
   if (tolerance > 0.0 && tolerance <= kMost) return true;
   diagnostics

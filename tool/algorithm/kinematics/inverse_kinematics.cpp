@@ -60,6 +60,10 @@ class Inversion {
       for (std::size_t column = 0; column < 3; ++column) target.rotation[row][column] = X[4 * column + row];
       target.position[row] = X[12 + row];
     }
+    for (const inversion::ToolSlide& slide : chain.tool_slides)
+      tool_length_ += slide.sign < 0.0 ? -amounts_[at(slide.amount)] : amounts_[at(slide.amount)];
+    if (chain.tool_slides.empty()) return;
+    for (std::size_t row = 0; row < 3; ++row) target.position[row] -= tool_length_ * target.rotation[row][2];
   }
 
   void swivel_input() {
@@ -88,22 +92,17 @@ class Inversion {
 
   std::vector<Branch> branches(const std::vector<Expression>* signs) {
     if (found.swivel)
-      return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs);
+      return inversion::swivel_branches(trace.graph, *found.swivel, target, references(), swivel, signs, margin());
     inversion::StepSolver s = solver();
     return inversion::branches(trace.graph, s, chain, found.plan->steps, known, signs);
   }
 
   // Completes a branch: returns its misfit, after Newton steps if the chain is calibrated.
   Expression finish(Branch& branch) {
-    if (found.calibration) {
-      const inversion::NewtonSteps newton(trace.graph, found.calibration->chain, target);
-      inversion::RefinedBranch refined = inversion::refined(*found.calibration, newton, branch.values);
-      branch.values = std::move(refined.values);
-      return refined.misfit;
-    }
-    trace.graph.begin_section("pose of the branch", "end");
-    const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
-    return inversion::misfit(trace.graph, {trace.graph, chain, target}, closure, branch.values);
+    const Expression missed = misfit(branch);
+    if (chain.tool_slides.empty()) return missed;
+    // Where the axis is off by an angle, its end is off by this times the length (Cauchy).
+    return sqrt(trace.graph.one() + tool_length_ * tool_length_) * missed;
   }
 
   Expression determinant(const Branch& branch) {
@@ -126,6 +125,20 @@ class Inversion {
 
  private:
   std::vector<Expression> amounts_;  // that depend on parameters
+  Expression tool_length_;           // by which the target is moved along its axis
+
+  Expression misfit(Branch& branch) {
+    if (found.calibration) {
+      const inversion::NewtonSteps newton =
+          inversion::newton_steps(trace.graph, *found.calibration, found, target, swivel);
+      inversion::RefinedBranch refined = inversion::refined(*found.calibration, newton, branch.values);
+      branch.values = std::move(refined.values);
+      return refined.misfit;
+    }
+    trace.graph.begin_section("pose of the branch", "end");
+    const inversion::Closure& closure = found.swivel ? found.swivel->closure : found.plan->closure;
+    return inversion::misfit(trace.graph, {trace.graph, chain, target}, closure, branch.values);
+  }
 
   Expression position_of(int k, const std::vector<Expression>& q) const {
     return chain.is_parametric(k) ? amounts_[at(chain.axis(k).amount)] : q[at(chain.axis(k).joint)];
@@ -138,14 +151,11 @@ class Inversion {
   }
 
   inversion::StepSolver solver() {
-    return {
-        trace.graph,
-        chain,
-        target,
-        references(),
-        found.plan ? found.plan->lengths_agree : std::vector<bool>(),
-        found.calibration ? found.calibration->margin : 0.0};
+    return {trace.graph, chain, target, references(), found.plan ? found.plan->lengths_agree : std::vector<bool>(),
+            margin()};
   }
+
+  double margin() const { return found.calibration ? found.calibration->margin : 0.0; }
 };
 
 // Of calibrated arms (rad, m).
@@ -169,6 +179,15 @@ std::vector<std::string> given_joints(
   return words;
 }
 
+// Whether a chain without a closed form has one with the default values of its parameters.
+bool needs_values(const model::KinematicTree& tree, const model::FramePair& frames, const inversion::Search& search) {
+  const auto has_default = [](const model::Parameter& p) { return p.default_value.has_value(); };
+  if (search.plan || !search.chain.has_parameters()) return false;
+  if (!std::all_of(tree.parameters.begin(), tree.parameters.end(), has_default)) return false;
+  const inversion::SerialChain chain = inversion::serial_chain(tree, frames, search.chain.task, parameter_values(tree));
+  return inversion::search(chain).plan.has_value();
+}
+
 }  // namespace
 
 InverseKinematicsSize inverse_kinematics_size(
@@ -179,10 +198,10 @@ InverseKinematicsSize inverse_kinematics_size(
   const inversion::Search& found = inversion::search(tree, frames, task);
   int joints = 0;
   for (int k = 0; k < found.chain.joints; ++k) joints += found.chain.is_parametric(k) ? 0 : 1;
-  if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false};
+  const int steps = found.calibration ? found.calibration->steps : 0;
+  if (found.swivel) return {joints, found.swivel->branches(), found.swivel->roots(), false, steps};
   const std::optional<Plan>& plan = found.plan;
   if (!plan) return {};
-  const int steps = found.calibration ? found.calibration->steps : 0;
   return {joints, plan->branches(), plan->roots(), plan->determinant_per_root != 0.0, steps};
 }
 
@@ -286,9 +305,10 @@ std::vector<std::string> inverse_kinematics_steps(
     const model::FramePair& frames,
     const InverseTask& task) {
   const inversion::Search& found = inversion::search(tree, frames, task);
-  if (found.swivel) return found.swivel->lines();
   std::vector<std::string> lines;
-  for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
+  if (found.swivel) lines = found.swivel->lines();
+  if (found.plan)
+    for (const inversion::Step& step : found.plan->steps) lines.push_back(describe(found.chain, step));
   if (found.calibration) lines.push_back(describe(*found.calibration));
   return lines;
 }
@@ -304,7 +324,7 @@ InverseKinematicsReport report_inverse_kinematics(
     return {false, "joint '" + tree.joints[at(task.given)].name + "' is not between these frames", ""};
   const inversion::Search* nominal = nullptr;
   for (const double tolerance : {kUsualTolerance, 10.0 * kUsualTolerance}) {
-    if (search.plan || task.by_swivel || (nominal && nominal->plan) || tolerance <= task.tolerance) continue;
+    if (search.plan || search.swivel || (nominal && nominal->calibration) || tolerance <= task.tolerance) continue;
     InverseTask other = task;
     other.tolerance = tolerance;
     nominal = &inversion::search(tree, frames, other);
@@ -318,10 +338,14 @@ InverseKinematicsReport report_inverse_kinematics(
     other = task;
     other.tolerance = std::max(task.tolerance, kUsualTolerance);
     constexpr int kCoordinates = 6;
-    if (arguments.empty() && search.chain.joints > kCoordinates)
+    if (arguments.empty() && search.chain.joints > kCoordinates) {
       arguments = given_joints(tree, frames, other, search.chain);
+      other.by_swivel = true;
+      if (inversion::search(tree, frames, other).swivel)
+        arguments.push_back("'swivel, tolerance = " + print_double(other.tolerance) + "'");
+    }
   }
-  inversion::Explanation explanation = explain(search, arguments, nominal);
+  inversion::Explanation explanation = explain(search, arguments, nominal, needs_values(tree, frames, search));
   return {search.plan || search.swivel, std::move(explanation.reason), std::move(explanation.hint)};
 }
 

@@ -54,30 +54,36 @@ Eigen::Matrix<Scalar, 6, 1> pose_error(const Matrix<Scalar, 4, 4>& from, const M
 
 namespace inverse_kinematics_detail {
 
-// J^T (J J^T + mu)^-1 e with the Cholesky factor L of the inner matrix. These are loops because Eigen's solver of this size
-// takes several seconds to compile.
-template <class Scalar, class Jacobian>
-auto damped_step(const Jacobian& J, const Eigen::Matrix<Scalar, 6, 1>& e, Scalar mu) noexcept {
-  constexpr int kCount = Jacobian::ColsAtCompileTime;
-  Scalar L[6][6], x[6];
+// J^T (J J^T + mu)^-1 e with the Cholesky factor L of the inner matrix, for numbers or lanes. These are loops because
+// Eigen's solver of this size takes several seconds to compile.
+template <int kCount, class Jacobian, class Error, class Number>
+std::array<Number, static_cast<std::size_t>(kCount)> damped_step(
+    const Jacobian& J,
+    const Error& e,
+    const Number& mu) noexcept {
+  using std::sqrt;
+  Number L[6][6], x[6];
   for (int i = 0; i < 6; ++i) {
     x[i] = e[i];
     for (int j = 0; j <= i; ++j) {
-      Scalar sum = i == j ? mu : Scalar(0);
-      for (int k = 0; k < kCount; ++k) sum += J(i, k) * J(j, k);
-      for (int k = 0; k < j; ++k) sum -= L[i][k] * L[j][k];
-      L[i][j] = i == j ? std::sqrt(sum) : sum / L[j][j];
-      if (j < i) x[i] -= L[i][j] * x[j];
+      Number sum = i == j ? mu : Number(0);
+      for (int k = 0; k < kCount; ++k) sum = sum + J(i, k) * J(j, k);
+      for (int k = 0; k < j; ++k) sum = sum - L[i][k] * L[j][k];
+      L[i][j] = i == j ? sqrt(sum) : sum / L[j][j];
+      if (j < i) x[i] = x[i] - L[i][j] * x[j];
     }
-    x[i] /= L[i][i];
+    x[i] = x[i] / L[i][i];
   }
   for (int i = 5; i >= 0; --i) {
-    for (int k = i + 1; k < 6; ++k) x[i] -= L[k][i] * x[k];
-    x[i] /= L[i][i];
+    for (int k = i + 1; k < 6; ++k) x[i] = x[i] - L[k][i] * x[k];
+    x[i] = x[i] / L[i][i];
   }
-  Eigen::Matrix<Scalar, kCount, 1> step = Eigen::Matrix<Scalar, kCount, 1>::Zero();
-  for (int k = 0; k < kCount; ++k)
-    for (int i = 0; i < 6; ++i) step[k] += J(i, k) * x[i];
+  std::array<Number, static_cast<std::size_t>(kCount)> step;
+  for (int k = 0; k < kCount; ++k) {
+    Number sum = Number(0);
+    for (int i = 0; i < 6; ++i) sum = sum + J(i, k) * x[i];
+    step[static_cast<std::size_t>(k)] = sum;
+  }
   return step;
 }
 
@@ -95,10 +101,10 @@ typename C::JointState inverse_kinematics_step(
     typename C::JointState::Scalar damping) noexcept {
   using Scalar = typename C::JointState::Scalar;
   const Eigen::Matrix<Scalar, 6, 1> error = pose_error<Scalar>(chain.pose(q), target);
-  const auto step =
-      inverse_kinematics_detail::damped_step(chain.jacobian(q), error, damping + error.squaredNorm() / 2);
+  const auto step = inverse_kinematics_detail::damped_step<static_cast<int>(C::kColumns.size())>(
+      chain.jacobian(q), error, damping + error.squaredNorm() / 2);
   typename C::JointState result = q;
-  Eigen::Index row = 0;
+  std::size_t row = 0;
   for (const auto joint : C::kColumns) result[static_cast<int>(joint)] += step[row++];
   return result;
 }
@@ -250,7 +256,7 @@ class Search {
 
   template <class Jacobian>
   Joints damped(const Jacobian& J, const Vector6& e) const {
-    return damped_step(J, e, options_.damping + e.squaredNorm() / 20);
+    return Joints(damped_step<kCount>(J, e, options_.damping + e.squaredNorm() / 20).data());
   }
 };
 

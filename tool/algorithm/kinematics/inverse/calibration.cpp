@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithm/kinematics/inverse/laboratory.h"
+#include "algorithm/kinematics/inverse/swivel.h"
 
 namespace robcogen::algorithm::inversion {
 namespace {
@@ -38,15 +39,26 @@ std::vector<int> places_of(const SerialChain& chain, const SerialChain& of_plan)
   return places;
 }
 
+// Before any step.
+std::vector<Branch> nominal_branches(Laboratory& lab, const Search& found, const Expression& swivel, double margin) {
+  if (found.swivel)
+    return swivel_branches(lab.graph, *found.swivel, lab.target, lab.references, swivel, nullptr, margin);
+  const Plan& plan = *found.plan;
+  StepSolver solver(lab.graph, plan.chain, lab.target, lab.references, plan.lengths_agree, margin);
+  return branches(lab.graph, solver, plan.chain, plan.steps, lab.known());
+}
+
 // The shares of random positions that a branch has, after kFewest, …, kMost steps.
-std::vector<double> shares(const Calibration& calibration, const Plan& plan) {
+std::vector<double> shares(const Calibration& calibration, const Search& found) {
   constexpr double kSamePose = 1e-9, kSamePosition = 1e-6;
   constexpr int kRounds = 40;
-  Laboratory lab(plan.chain);
-  StepSolver solver(lab.graph, plan.chain, lab.target, lab.references, plan.lengths_agree, calibration.margin);
-  const NewtonSteps newton(lab.graph, calibration.chain, lab.target);
+  const SerialChain& nominal = found.chain;
+  Laboratory lab(nominal);
+  Expression swivel;
+  if (found.swivel) swivel = swivel_of(lab.graph, *found.swivel, {lab.joints.begin(), lab.joints.end()});
+  const NewtonSteps newton = newton_steps(lab.graph, calibration, found, lab.target, swivel);
   std::vector<std::vector<RefinedBranch>> after;  // by number of steps and branch; values by joint of the chain
-  for (const Branch& branch : branches(lab.graph, solver, plan.chain, plan.steps, lab.known())) {
+  for (const Branch& branch : nominal_branches(lab, found, swivel, calibration.margin)) {
     JointValues values = of_chain(calibration, branch.values);
     for (int step = 1; step <= kMost; ++step) {
       values = newton.step(values);
@@ -60,8 +72,8 @@ std::vector<double> shares(const Calibration& calibration, const Plan& plan) {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<std::vector<SineCosine>> expected;  // by state
     for (std::size_t state = 0; state < kProbes; ++state) {
-      const std::vector<double> q = random_positions(plan.chain, random, false);
-      const std::vector<SineCosine> of_joints = sines_cosines(plan.chain, q);
+      const std::vector<double> q = random_positions(nominal, random, false);
+      const std::vector<SineCosine> of_joints = sines_cosines(nominal, q);
       std::vector<SineCosine>& own = expected.emplace_back();
       for (const int place : calibration.places) own.push_back(of_joints[at(place)]);
       lab.set(state, pose(calibration.chain, own), q);
@@ -90,17 +102,31 @@ std::vector<double> shares(const Calibration& calibration, const Plan& plan) {
 
 }  // namespace
 
-Calibration calibration(const SerialChain& chain, const NominalChain& nominal, const Plan& plan) {
+Calibration calibration(const SerialChain& chain, const NominalChain& nominal, const Search& found) {
   constexpr double kWorthAStep = 0.01;
-  Calibration result{chain, places_of(chain, plan.chain), nominal.angle, nominal.distance};
+  Calibration result{chain, places_of(chain, found.chain), nominal.angle, nominal.distance};
   // About as much as the discriminants of the nominal chain are off.
   result.margin = 2.0 * std::max(nominal.angle, nominal.distance * kSameDirection / chain.same_point);
-  const std::vector<double> found = shares(result, plan);
+  const std::vector<double> share = shares(result, found);
   std::size_t best = 0;
-  while (best + 1 < found.size() && found[best + 1] > found[best] + kWorthAStep) ++best;
+  while (best + 1 < share.size() && share[best + 1] > share[best] + kWorthAStep) ++best;
   result.steps = kFewest + static_cast<int>(best);
-  result.share = found[best];
+  result.share = share[best];
   return result;
+}
+
+NewtonSteps newton_steps(
+    Graph& graph,
+    const Calibration& calibration,
+    const Search& found,
+    const Target& target,
+    const Expression& swivel) {
+  if (!found.swivel) return {graph, calibration.chain, target};
+  // A chain with a swivel angle is not arranged.
+  const auto condition = [&graph, plan = found.swivel, swivel](const JointValues& values) {
+    return swivel_condition(graph, *plan, swivel, values);
+  };
+  return {graph, calibration.chain, target, condition};
 }
 
 RefinedBranch refined(const Calibration& calibration, const NewtonSteps& newton, const JointValues& values) {

@@ -19,8 +19,16 @@ struct Calibration {
   double share = 0.0;                  // of random positions that a branch has after these steps
 };
 
-// Of a chain with this plan of its nominal chain.
-Calibration calibration(const SerialChain& chain, const NominalChain& nominal, const Plan& plan);
+// Of a chain, with what the search has found for its nominal chain: a plan, or the swivel angle's.
+Calibration calibration(const SerialChain& chain, const NominalChain& nominal, const Search& found);
+
+// Towards a target; with this swivel angle of the nominal chain, if the plan has one.
+NewtonSteps newton_steps(
+    Graph& graph,
+    const Calibration& calibration,
+    const Search& found,
+    const Target& target,
+    const Expression& swivel);
 
 // A branch of the plan, after all steps.
 struct RefinedBranch {

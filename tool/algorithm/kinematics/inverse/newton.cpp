@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace robcogen::algorithm::inversion {
 namespace {
@@ -82,7 +83,8 @@ std::vector<Expression> solved(Graph& graph, SquareMatrix N, std::vector<Express
 
 }  // namespace
 
-NewtonSteps::NewtonSteps(Graph& graph, const SerialChain& chain, const Target& target) : graph_(graph), chain_(chain) {
+NewtonSteps::NewtonSteps(Graph& graph, const SerialChain& chain, const Target& target, ConditionAt condition)
+    : graph_(graph), chain_(chain), condition_(std::move(condition)) {
   const Numbers3& first_axis = chain.axis(0).direction;
   const Numbers3 x = across(first_axis);
   const Frame first = {{x, cross(first_axis, x), first_axis}, chain.axis(0).point};
@@ -216,8 +218,12 @@ JointValues NewtonSteps::step(const JointValues& values) const {
   const Missing missing_motion = missing(here);
   graph_.begin_section("Newton step: Jacobian", "step");
   const std::vector<Column> J = jacobian(here, missing_motion);
+  Condition condition;
+  if (condition_) condition = condition_(values);
   const Vector3 &r = missing_motion.rotation, &d = missing_motion.displacement;
-  const Expression rotation_square = dot(r, r), error_square = rotation_square + dot(d, d);
+  const Expression rotation_square = dot(r, r);
+  Expression error_square = rotation_square + dot(d, d);
+  if (condition_) error_square += condition.missing * condition.missing;
   const Expression damping = graph_.constant(kLeastDamping) + graph_.constant(kDampingPerError) * error_square;
   const auto n = static_cast<int>(J.size());
   SquareMatrix N(n);
@@ -227,10 +233,12 @@ JointValues NewtonSteps::step(const JointValues& values) const {
     for (int k = 0; k <= i; ++k) {
       const Expression of_rotations = dot(row.rotation, J[at(k)].rotation);
       N(i, k) = of_rotations + dot(row.displacement, J[at(k)].displacement);
+      if (condition_) N(i, k) += condition.derivatives[at(row.joint)] * condition.derivatives[at(J[at(k)].joint)];
     }
     N(i, i) += damping;
     const Expression of_rotation = dot(row.rotation, r);
     b.push_back(of_rotation + dot(row.displacement, d));
+    if (condition_) b.back() += condition.derivatives[at(row.joint)] * condition.missing;
   }
   graph_.begin_section("Newton step: joints", "step");
   const std::vector<Expression> full = solved(graph_, std::move(N), std::move(b), damping);

@@ -3,15 +3,25 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "algorithm/kinematics/inverse/target_loop.h"
 
 namespace robcogen::algorithm::inversion {
 
+// A further equation that the steps solve: what it misses at some positions, and its derivatives by the joints of the
+// chain.
+struct Condition {
+  Expression missing;
+  std::vector<Expression> derivatives;
+};
+
 class NewtonSteps {
  public:
-  NewtonSteps(Graph& graph, const SerialChain& chain, const Target& target);
+  using ConditionAt = std::function<Condition(const JointValues&)>;
+
+  NewtonSteps(Graph& graph, const SerialChain& chain, const Target& target, ConditionAt condition = {});
 
   // The values after one step. Joints whose positions are arguments stay where they are.
   JointValues step(const JointValues& values) const;
@@ -41,6 +51,7 @@ class NewtonSteps {
 
   Graph& graph_;
   const SerialChain& chain_;
+  ConditionAt condition_;
   std::vector<Link> links_;
   Numbers3 tool_point_{}, tool_axis_{};  // of the task, in the last frame
   // Where the target has the last frame, and point and axis of the task, in axes of the first frame.

@@ -80,9 +80,15 @@ class Nominal {
     if (k == 0) return axis.point;
     if (!axis.turns || !before(k).turns || are_parallel(direction, before(k).direction)) return nearest(anchor_);
     if (last_meeting && norm(*last_meeting - nearest(*last_meeting)) < longest_) return *(meeting_ = last_meeting);
-    const Numbers3 here = foot(axis, before(k)), there = foot(before(k), axis);
-    if (norm(here - there) < longest_) return *(meeting_ = there);
-    return here;
+    ChainAxis turned = axis;
+    turned.direction = direction;
+    turned.point = foot(axis, before(k));
+    const Numbers3 here = foot(turned, before(k)), there = foot(before(k), turned);
+    // Both neighbours of the axis before are at the same place of it, such as those of an elbow with an offset.
+    const Numbers3 along = anchor_ - there;
+    const bool is_level = k > 1 && norm(along) < longest_;
+    if (norm(here - there) < longest_) return *(meeting_ = is_level ? anchor_ : there);
+    return is_level ? here + along : here;
   }
 };
 

@@ -14,7 +14,8 @@ struct NominalChain {
 };
 
 // Each axis in turn is made parallel to the axis before it or perpendicular to it, and to meet it, or the point in
-// which axes before it meet, where it is off by less than the tolerance (rad, and m per metre of reach).
+// which axes before it meet, where it is off by less than the tolerance (rad, and m per metre of reach); and so that
+// the two axes next to one are nearest to it in the same point.
 NominalChain nominal_chain(const SerialChain& chain, double tolerance);
 
 }  // namespace robcogen::algorithm::inversion

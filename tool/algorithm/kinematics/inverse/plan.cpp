@@ -335,6 +335,10 @@ std::vector<double> numbers_of(const SerialChain& chain) {
   }
   for (const Numbers3& column : chain.rotation) add(column);
   add(chain.position);
+  for (const ToolSlide& slide : chain.tool_slides) {
+    numbers.push_back(static_cast<double>(slide.amount));
+    numbers.push_back(slide.sign);
+  }
   return numbers;
 }
 
@@ -343,8 +347,8 @@ std::optional<Search> search_nominal(const SerialChain& chain) {
   const NominalChain nominal = nominal_chain(chain, chain.task.tolerance);
   if (!nominal.differs()) return std::nullopt;
   Search result = search(nominal.chain);
-  if (!result.plan) return std::nullopt;
-  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, *result.plan));
+  if (!result.plan && !result.swivel) return std::nullopt;
+  result.calibration = std::make_shared<const Calibration>(calibration(chain, nominal, result));
   return result;
 }
 

@@ -25,15 +25,17 @@ Numbers3 turned(const Numbers3& v, const Numbers3& h, const SineCosine& a) {
   return a.cosine * v + a.sine * cross(h, v) + ((1.0 - a.cosine) * dot(h, v)) * h;
 }
 
-void move(NumberPose& here, const PrimitiveTransform& primitive) {
+void move(NumberPose& here, const PrimitiveTransform& primitive, std::span<const double> parameter_values) {
   const auto axis = static_cast<std::size_t>(primitive.axis);
-  const double amount = model::evaluate(primitive.amount);
+  const double amount = model::evaluate(primitive.amount, parameter_values);
   if (!primitive.rotation) {
     here.position = here.position + amount * here.rotation[axis];
     return;
   }
   // Exact for multiples of a quarter turn.
-  const SineCosine angle = {model::evaluate(sin(primitive.amount)), model::evaluate(cos(primitive.amount))};
+  const SineCosine angle = {
+      model::evaluate(sin(primitive.amount), parameter_values),
+      model::evaluate(cos(primitive.amount), parameter_values)};
   // Only the columns across the axis: otherwise, each rotation triples the error of its length.
   Numbers3 &a = here.rotation[(axis + 1) % 3], &b = here.rotation[(axis + 2) % 3];
   const Numbers3 last = a;
@@ -43,6 +45,19 @@ void move(NumberPose& here, const PrimitiveTransform& primitive) {
 
 bool depends_on_parameters(const PrimitiveTransform& primitive) {
   return !model::parameters_of(primitive.amount).empty();
+}
+
+// What the last amounts do along the axis of the tool, and about it, commutes with the freedom of the task.
+void take_tool_slides(SerialChain& chain) {
+  const Numbers3 axis = folded(chain.rotation[2]);
+  for (int k = chain.size(); k-- > 0 && chain.is_parametric(k);) {
+    const ChainAxis& last = chain.axis(k);
+    const bool is_along = are_parallel(last.direction, axis);
+    if (last.turns && !(is_along && norm(cross(last.point - chain.position, axis)) < chain.same_point)) return;
+    if (!is_along) continue;
+    if (!last.turns) chain.tool_slides.push_back({last.amount, dot(last.direction, axis) < 0.0 ? -1.0 : 1.0});
+    chain.axes.erase(chain.axes.begin() + k);
+  }
 }
 
 void add_freedoms(SerialChain& chain) {
@@ -112,7 +127,8 @@ std::string obstacle(const model::KinematicTree& tree, const model::FramePair& f
 SerialChain serial_chain(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
-    const model::InverseTask& task) {
+    const model::InverseTask& task,
+    std::span<const double> parameter_values) {
   SerialChain chain;
   chain.task = task;
   NumberPose here{kIdentity, {}};
@@ -121,12 +137,12 @@ SerialChain serial_chain(
     const std::size_t constant = segment.primitives.size() - segment.joints.size();
     for (std::size_t k = 0; k < constant; ++k) {
       const PrimitiveTransform& primitive = segment.primitives[k];
-      if (depends_on_parameters(primitive))
+      if (parameter_values.empty() && depends_on_parameters(primitive))
         chain.axes.push_back(
             {-1, primitive.rotation, folded(here.rotation[static_cast<std::size_t>(primitive.axis)]), here.position,
              print(primitive.amount, tree.parameters), amounts++});
       else
-        move(here, primitive);
+        move(here, primitive, parameter_values);
     }
     for (const auto& [joint, backward] : segment.joints) {
       if (joint == task.given) chain.given = chain.size();
@@ -136,9 +152,10 @@ SerialChain serial_chain(
            tree.joints[at(joint)].declared_name()});
     }
   }
-  chain.joints = chain.size();
   for (std::size_t k = 0; k < 3; ++k) chain.rotation[k] = folded(here.rotation[k]);
   chain.position = here.position;
+  if (task.kind == model::InverseTask::Kind::axis) take_tool_slides(chain);
+  chain.joints = chain.size();
   double reach = norm(chain.position - chain.axes.back().point);
   for (std::size_t k = 1; k < chain.axes.size(); ++k) reach += norm(chain.axes[k].point - chain.axes[k - 1].point);
   chain.same_point *= std::max(reach, 1.0);

@@ -6,10 +6,12 @@
 // turns about the axis, for an orientation three that slide.
 //
 // A translation or rotation by an amount that depends on parameters is a joint whose position is known. Its axis is
-// placed, and so are those behind it, with this amount zero.
+// placed, and so are those behind it, with this amount zero. For a point and an axis, a translation of the tool along
+// its axis moves the target instead, the other way.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,12 @@ struct ChainAxis {
   int amount = -1;  // moved by parameters: the place in parametric_amounts
 };
 
+// A translation of the tool along its axis, by an amount of parametric_amounts times 1 or -1.
+struct ToolSlide {
+  int amount = 0;
+  double sign = 1.0;
+};
+
 struct SerialChain {
   std::vector<ChainAxis> axes;  // joints in the order of the chain, then freedoms
   int joints = 0;
@@ -55,6 +63,7 @@ struct SerialChain {
   model::InverseTask task = {};
   int given = -1;                      // joint of the chain whose position is an argument
   double same_point = kSameDirection;  // m
+  std::vector<ToolSlide> tool_slides = {};
 
   int size() const { return static_cast<int>(axes.size()); }
   const ChainAxis& axis(int k) const { return axes[at(k)]; }
@@ -73,11 +82,12 @@ Numbers3 without_rounding(const SerialChain& chain, Numbers3 x);
 // Why the joints between two frames are not such a chain: `joint 'J2' is helical`; empty if they are.
 std::string obstacle(const model::KinematicTree& tree, const model::FramePair& frames);
 
-// The chain of frames without obstacle.
+// The chain of frames without obstacle. `parameter_values`: of all parameters, which are constants then.
 SerialChain serial_chain(
     const model::KinematicTree& tree,
     const model::FramePair& frames,
-    const model::InverseTask& task);
+    const model::InverseTask& task,
+    std::span<const double> parameter_values = {});
 
 // The amounts between two frames that depend on parameters, in the order of the path.
 std::vector<model::Quantity> parametric_amounts(const model::KinematicTree& tree, const model::FramePair& frames);

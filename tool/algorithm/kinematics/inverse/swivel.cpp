@@ -14,10 +14,14 @@ Vector3 constant(Graph& graph, const Numbers3& v) {
   return {graph.constant(v[0]), graph.constant(v[1]), graph.constant(v[2])};
 }
 
-Vector3 unit(Graph& graph, const Vector3& v) {
-  // A vector without length has no direction: the result is finite.
+// Finite, also of a vector without length.
+Expression inverse_length(Graph& graph, const Vector3& v) {
   constexpr double kSquare = 0x1p-126;
-  return (graph.one() / sqrt(dot(v, v) + graph.constant(kSquare))) * v;
+  return graph.one() / sqrt(dot(v, v) + graph.constant(kSquare));
+}
+
+Vector3 unit(Graph& graph, const Vector3& v) {
+  return inverse_length(graph, v) * v;
 }
 
 // The directions across the line from shoulder to wrist from which the swivel angle is measured.
@@ -50,13 +54,15 @@ StepSolver part_solver(
     const Plan& part,
     const Matrix3& rotation,
     const std::vector<Expression>& references,
-    int first) {
+    int first,
+    double margin) {
   return {
       graph,
       part.chain,
       {rotation, {}},
       {references.begin() + first, references.begin() + first + part.chain.joints},
-      part.lengths_agree};
+      part.lengths_agree,
+      margin};
 }
 
 std::vector<Expression> part_of(const std::vector<Expression>& signs, int first, int count) {
@@ -136,8 +142,9 @@ std::vector<Branch> swivel_branches(
     const Target& target,
     const std::vector<Expression>& references,
     const Expression& swivel,
-    const std::vector<Expression>* signs) {
-  StepSolver solver(graph, plan.chain, target, references);
+    const std::vector<Expression>* signs,
+    double margin) {
+  StepSolver solver(graph, plan.chain, target, references, {}, margin);
   const TargetLoop& loop = solver.loop();
   graph.begin_section("swivel", "swivel");
   const Vector3 S = constant(graph, plan.shoulder_point), W = constant(graph, plan.wrist_point);
@@ -168,8 +175,8 @@ std::vector<Branch> swivel_branches(
       columns[k] = multiply(upper, loop.moved(unit_vector(graph, k), true, values, kElbow, kElbow + 1));
     const Matrix3 lower = transposed(of_columns(columns)) * whole;
 
-    StepSolver of_shoulder = part_solver(graph, plan.shoulder, upper, references, 0);
-    StepSolver of_wrist = part_solver(graph, plan.wrist, lower, references, kElbow + 1);
+    StepSolver of_shoulder = part_solver(graph, plan.shoulder, upper, references, 0, margin);
+    StepSolver of_wrist = part_solver(graph, plan.wrist, lower, references, kElbow + 1, margin);
     const int roots = plan.shoulder.roots();
     const std::vector<Expression> signs_of_shoulder = signs ? part_of(*signs, 1, roots) : std::vector<Expression>();
     const std::vector<Expression> signs_of_wrist =
@@ -202,6 +209,31 @@ Expression swivel_of(Graph& graph, const SwivelPlan& plan, const JointValues& va
   return atan2(dot(n0, l.across), dot(n0, l.n));
 }
 
+Condition swivel_condition(Graph& graph, const SwivelPlan& plan, const Expression& swivel, const JointValues& values) {
+  const TargetLoop loop(graph, plan.chain, {});
+  const auto moved = [&](const Numbers3& x, bool is_direction, int end) {
+    return loop.moved(constant(graph, x), is_direction, values, 0, end);
+  };
+  const auto axis = [&](int k) { return moved(plan.chain.axis(k).direction, true, k); };
+  const Vector3 W = moved(plan.wrist_point, false, kElbow + 1), to_wrist = W - constant(graph, plan.shoulder_point);
+  const Line l = line(graph, plan, to_wrist);
+  const Vector3 first = constant(graph, plan.chain.axis(0).direction), elbow = axis(kElbow);
+  const Expression along = dot(first, l.u), rho = dot(first, l.across);
+  const Expression s = sin(swivel), c = cos(swivel);
+  Condition condition;
+  condition.missing = rho * difference_of_products(s, dot(elbow, l.n), c, dot(elbow, l.across));
+  // Joints before the elbow turn its axis and the line, and with the line the direction from which the angle is
+  // measured, which stays across the first axis: the first joint does not change the angle. The elbow moves the line.
+  condition.derivatives.resize(plan.chain.axes.size());
+  for (int k = 1; k < kElbow; ++k) {
+    const Vector3 h = axis(k);
+    condition.derivatives[at(k)] = difference_of_products(rho, dot(h, l.u), along, dot(h, l.across));
+  }
+  const Vector3 displaced = cross(elbow, W - moved(plan.chain.axis(kElbow).point, false, kElbow));
+  condition.derivatives[at(kElbow)] = -(along * dot(displaced, l.n)) * inverse_length(graph, to_wrist);
+  return condition;
+}
+
 std::vector<Expression> swivel_roots(
     Graph& graph,
     const SwivelPlan& plan,
@@ -211,7 +243,7 @@ std::vector<Expression> swivel_roots(
   std::vector<Expression> roots = {solver.root(plan.elbow, values)};
   int first = 0;
   for (const Plan* part : {&plan.shoulder, &plan.wrist}) {
-    const StepSolver of_part = part_solver(graph, *part, {}, references, first);
+    const StepSolver of_part = part_solver(graph, *part, {}, references, first, 0.0);
     const JointValues of_joints = part_of(values, *part, first);
     for (const Step& step : part->steps)
       if (step.has_two_roots(part->chain)) roots.push_back(of_part.root(step, of_joints));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithm/kinematics/inverse/newton.h"
 #include "algorithm/kinematics/inverse/plan.h"
 
 namespace robcogen::algorithm::inversion {
@@ -30,17 +31,21 @@ struct SwivelPlan {
 // nullopt if the arm is of another kind.
 std::optional<SwivelPlan> swivel_plan(const SerialChain& chain);
 
-// All branches, or that with these signs. `references` by joint of the chain.
+// All branches, or that with these signs. `references` by joint of the chain; `margin` as for a StepSolver.
 std::vector<Branch> swivel_branches(
     Graph& graph,
     const SwivelPlan& plan,
     const Target& target,
     const std::vector<Expression>& references,
     const Expression& swivel,
-    const std::vector<Expression>* signs);
+    const std::vector<Expression>* signs,
+    double margin = 0.0);
 
 // At these positions: the swivel angle, and the roots with their signs.
 Expression swivel_of(Graph& graph, const SwivelPlan& plan, const JointValues& values);
+// That the swivel angle of these positions is `swivel`: the sine of what is missing, and derivatives, times the sine of
+// the angle between the first axis and the line.
+Condition swivel_condition(Graph& graph, const SwivelPlan& plan, const Expression& swivel, const JointValues& values);
 std::vector<Expression> swivel_roots(
     Graph& graph,
     const SwivelPlan& plan,

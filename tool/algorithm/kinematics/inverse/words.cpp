@@ -91,7 +91,11 @@ std::string describe_axes(const SerialChain& chain) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-Explanation explain(const Search& search, const std::vector<std::string>& arguments, const Search* nominal) {
+Explanation explain(
+    const Search& search,
+    const std::vector<std::string>& arguments,
+    const Search* nominal,
+    bool needs_values) {
   const SerialChain& chain = search.chain;
   if (search.plan || search.swivel) {
     const std::string axes = describe_axes(chain);
@@ -101,13 +105,19 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
       text += " of a nominal chain, from which axes differ by up to " + difference(*search.calibration);
     return {text + (axes.empty() ? "" : "; axes: " + axes), ""};
   }
+  std::string nominal_hint;
+  if (nominal && (nominal->plan || nominal->swivel))
+    nominal_hint = fmt::format(
+        "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton steps "
+        "follow; otherwise round the numbers of the model: --snap-angles for URDF",
+        print_double(nominal->chain.task.tolerance), difference(*nominal->calibration));
   if (chain.task.by_swivel && chain.has_parameters())
     return {"a swivel angle needs a chain without parameters", "give a joint"};
   if (chain.task.by_swivel)
     return {
         "a swivel angle needs seven joints: the axes of the first three meet, those of the last three meet, and the "
         "fourth is across the line between both points",
-        kAnyChain};
+        nominal_hint.empty() ? kAnyChain : nominal_hint};
   int free = 0;
   for (int k = 0; k < chain.joints; ++k) free += chain.is_known(k) ? 0 : 1;
   const int needed = coordinates(chain.task);
@@ -125,15 +135,14 @@ Explanation explain(const Search& search, const std::vector<std::string>& argume
     hint = fmt::format(
         "closed forms exist with {}; a search over that joint finds all positions: <robcogen/generic/all_solutions.h>",
         list(arguments));
-  if (nominal && nominal->plan)
-    return {
-        fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses),
-        fmt::format(
-            "for a calibrated chain, add 'tolerance = {}': a nominal chain within {} has a closed form, and Newton "
-            "steps "
-            "follow; otherwise round the numbers of the model: --snap-angles for URDF",
-            print_double(nominal->chain.task.tolerance), difference(*nominal->calibration))};
-  if (!misses.empty()) hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";
+  if (needs_values)
+    hint =
+        "axes must meet and be parallel whatever the values of parameters: with their default values as numbers, the "
+        "chain has a closed form";
+  else if (!nominal_hint.empty())
+    hint = nominal_hint;
+  else if (!misses.empty())
+    hint = "round the numbers of the model, if they are meant to be exact: --snap-angles for URDF";
   return {fmt::format("{}no equation finds one of {}{}", follow, fmt::join(others, ", "), misses), hint};
 }
 

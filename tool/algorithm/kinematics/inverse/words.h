@@ -17,9 +17,14 @@ std::string describe(const Calibration& calibration);
 
 // `8 branches; axes: …`, or why there is no closed form, with a hint. `arguments` are words for arguments with which
 // the chain has one: `'given J7'`, `'swivel'`. `nominal`: the search with a tolerance, if there is another one.
+// `needs_values`: the chain has a closed form with some values of its parameters only.
 struct Explanation {
   std::string reason, hint;
 };
-Explanation explain(const Search& search, const std::vector<std::string>& arguments, const Search* nominal);
+Explanation explain(
+    const Search& search,
+    const std::vector<std::string>& arguments,
+    const Search* nominal,
+    bool needs_values);
 
 }  // namespace robcogen::algorithm::inversion

@@ -101,14 +101,24 @@ class InverseKinematicsCheck {
     return largest;
   }
 
+  // The rate of the swivel angle of the positions q with a joint.
+  double swivel_rate(int row) const {
+    constexpr double kStep = 1e-5;
+    Vector<double> before = q_, behind = q_;
+    place(before, row) -= kStep;
+    place(behind, row) += kStep;
+    const double change = call(chain_.redundancy, {behind.values()})[0] - call(chain_.redundancy, {before.values()})[0];
+    return std::remainder(change, 2 * 3.14159265358979323846) / (2 * kStep);
+  }
+
   // Newton steps on a chain that is slightly off miss positions in which it is almost singular: where a pivot of J^T J
-  // is small.
+  // is small. The last row of J is that of the swivel angle.
   bool may_be_missed() const {
     if (chain_.tolerance == 0) return false;
     constexpr double kLeastPivot = 20;  // per tolerance
     const Matrix<double> pose = transform(c_.robot, q_, chain_.left, chain_.right);
     const Matrix<double> all = frame_jacobian(c_.robot, q_, chain_.left, chain_.right);
-    Matrix<double> J(6, chain_.joint_count - (chain_.given < 0 ? 0 : 1));
+    Matrix<double> J(chain_.redundancy < 0 ? 6 : 7, chain_.joint_count - (chain_.given < 0 ? 0 : 1));
     int k = 0;
     for (int row = 0; row < chain_.joint_count; ++row) {
       if (chain_.joints[row] == chain_.given) continue;
@@ -119,7 +129,9 @@ class InverseKinematicsCheck {
         if (chain_.task == Task::position) column(i, 0) = 0;
         if (chain_.task == Task::position_and_axis) column(i, 0) -= about_axis * pose(i, 2);
       }
-      J.set_block(0, k++, column);
+      J.set_block(0, k, column);
+      if (chain_.redundancy >= 0) J(6, k) = swivel_rate(row);
+      ++k;
     }
     Matrix<double> N = transpose(J) * J;
     double least = N(0, 0);
