@@ -85,19 +85,9 @@ class JointReader {
     if (const Attribute* found = find(element_, attribute)) place = found->place;
   }
 
-  // In MuJoCo, up to three coefficients make a polynomial.
   void read_coefficient(const char* attribute, model::Quantity& value, Place& place) {
-    const Attribute* found = find(element_, attribute);
-    if (found == nullptr) return;
-    place = found->place;
-    const std::vector<Number> n = values_.numbers(*found, 1, 3);
-    value = quantity(n[0]);
-    if (std::all_of(n.begin() + 1, n.end(), [](const Number& x) { return x.is_zero(); })) return;
-    diagnostics_
-        .error(
-            "unsupported-attribute", found->place,
-            fmt::format("this '{}' is a polynomial, which is not supported", attribute))
-        .hint = "write one number, for a linear force";
+    value = quantity(linear_coefficient(element_, attribute, diagnostics_));
+    if (const Attribute* found = find(element_, attribute)) place = found->place;
   }
 
   void read_drive() {

@@ -5,6 +5,7 @@ namespace {
 
 const WordList kFrictionItems = {"force", "velocity"};
 const WordList kSpringItems = {"stiffness", "rest"};
+const WordList kElasticItems = {"stiffness", "damping"};
 const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
 
@@ -47,6 +48,16 @@ bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std
   return sound && parser.check_complete(owner, word.span, found, {"inertia", "ratio"});
 }
 
+bool elasticity(
+    BlockParser& parser,
+    const std::string& joint,
+    const Token& word,
+    std::optional<Elasticity>& read) {
+  Elasticity& spring = read.emplace();
+  spring.span = word.span;
+  return pair(parser, "the elasticity of " + joint, word, kElasticItems, spring.stiffness, spring.damping);
+}
+
 bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
   const std::string owner = "the limits of " + joint;
   Words found;
@@ -66,13 +77,14 @@ bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
 }  // namespace
 
 bool at_drive_item(const Cursor& cursor) {
-  return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"});
+  return cursor.at_any({"damping", "friction", "armature", "spring", "elastic", "rotor", "limits", "assembled"});
 }
 
 bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, DriveAndLimits& items) {
   Drive& drive = items.drive;
   if (word.text == "limits") return limits(parser, owner, items.limits);
   if (word.text == "rotor") return rotor(parser, owner, word, items.rotor);
+  if (word.text == "elastic") return elasticity(parser, owner, word, items.elasticity);
   if (word.text == "spring")
     return pair(parser, "the spring of " + owner, word, kSpringItems, drive.stiffness, drive.rest);
   if (word.text == "friction" && parser.cursor().at("{"))

@@ -7,6 +7,7 @@ namespace {
 
 const WordList kLoopItems = {"frames", "type", "distance", "branch"};
 const WordList kActuatorItems = {"from", "to"};
+const WordList kTendonItems = {"length", "stiffness", "damping", "rest"};
 
 void take_comments(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
@@ -96,6 +97,24 @@ void actuator(BlockParser& parser, Body& body) {
     body.actuators.push_back(std::move(actuator));
 }
 
+void tendon(BlockParser& parser, Body& body) {
+  Tendon tendon;
+  tendon.name = parser.name("the name of a tendon");
+  const std::string owner = fmt::format("tendon '{}'", tendon.name.text);
+  Words found;
+  const bool is_sound = parser.block(owner, kTendonItems, [&] {
+    if (!parser.cursor().at_any(kTendonItems)) parser.unknown_item(owner, kTendonItems);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    (key.text == "length"      ? tendon.length
+     : key.text == "stiffness" ? tendon.stiffness
+     : key.text == "damping"   ? tendon.damping
+                               : tendon.rest) = parser.scalar();
+  });
+  if (is_sound && parser.check_complete(owner, tendon.name.span, found, {"length"}))
+    body.tendons.push_back(std::move(tendon));
+}
+
 // Parses a block of elements, each of which has a name and a block.
 template <class Element>
 void named_blocks(BlockParser& parser, Body& body, Element element) {
@@ -105,7 +124,7 @@ void named_blocks(BlockParser& parser, Body& body, Element element) {
       fmt::format("'{}'", word.text),
       [&] {
         return cursor.at_name() && cursor.at("{", 1) &&
-               !cursor.at_any({"couplings", "loops", "independent", "actuators"});
+               !cursor.at_any({"couplings", "loops", "independent", "actuators", "tendons"});
       },
       [&] { element(parser, body); });
   take_comments(parser, body);
@@ -121,6 +140,10 @@ bool at_actuators(const Cursor& cursor) {
   return cursor.at("actuators") && cursor.at("{", 1);
 }
 
+bool at_tendons(const Cursor& cursor) {
+  return cursor.at("tendons") && cursor.at("{", 1);
+}
+
 bool at_independent(const Cursor& cursor) {
   return cursor.at("independent") && cursor.at("{", 1);
 }
@@ -131,6 +154,10 @@ void loops(BlockParser& parser, Body& body) {
 
 void actuators(BlockParser& parser, Body& body) {
   named_blocks(parser, body, actuator);
+}
+
+void tendons(BlockParser& parser, Body& body) {
+  named_blocks(parser, body, tendon);
 }
 
 void independent(BlockParser& parser, Body& body) {
