@@ -217,11 +217,12 @@ TEST(ElasticJoints, AreKeptWithTheirMotors) {
 
 TEST(ElasticJoints, HaveParameters) {
   model::Changes changes;
-  changes.parameters = {{"two_elastic.stiffness", {}}, {"two_motor.armature", {}}};
+  changes.parameters = {{"two_elastic.stiffness", {}}, {"two.armature", {}}};
   const std::string text = arm({"", "armature = 0.2 elastic { stiffness = 80.0 }", ""});
   const KinematicTree tree = changed(text, changes);
   ASSERT_EQ(tree.parameters.size(), 2U);
   EXPECT_EQ(tree.parameters[0].name, "two_elastic_stiffness");
+  EXPECT_EQ(tree.parameters[1].name, "two_motor_armature");
   const InterpretedRobot robot(tree, {}, {}, {60.0, 0.4});
   const InterpretedRobot other(tree_of_text(arm({"", "armature = 0.4 elastic { stiffness = 60.0 }", ""})), {});
   const Vector<double> q = numbers(1, 4), qd = numbers(2, 4), tau = numbers(3, 4);

@@ -182,7 +182,7 @@ class Parametrisation {
           "--passive-forces (PASSIVE_FORCES in CMake) includes damping and friction");
     add_tendons();
     for (DescribedJoint& joint : description_.joints) {
-      if (!names(joint.name)) continue;
+      if (!names_drive_of(joint)) continue;
       Drive& drive = joint.drive;
       const std::pair<const char*, Quantity*> fields[] = {
           {"damping", &drive.damping},
@@ -202,6 +202,14 @@ class Parametrisation {
       make(drive.rotor->inertia, joint.name + "_rotor_inertia", ParameterKind::inertial, joint.place);
       make(drive.rotor->ratio, joint.name + "_rotor_ratio", ParameterKind::inertial, joint.place);
     }
+  }
+
+  // The inertia of the drive of an elastic joint is that of its motor.
+  bool names_drive_of(const DescribedJoint& joint) const {
+    if (!is("armature") && !is("rotor")) return names(joint.name);
+    const auto is_motor = [&](const DescribedJoint& other) { return other.motor_of == joint.name; };
+    if (std::any_of(description_.joints.begin(), description_.joints.end(), is_motor)) return false;
+    return names(joint.name) || (!joint.motor_of.empty() && names(joint.motor_of));
   }
 
   void add_tendons() {

@@ -89,13 +89,13 @@ class TendonDescriber {
     described.damping = quantity(tendon.damping);
     described.stiffness_place = tendon.stiffness_place;
     described.damping_place = tendon.damping_place;
-    Number drawn;
+    Number length;
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Number& factor = tendon.terms[k].factor;
-      drawn = drawn + factor * joints[k].joint->reference;
+      length = length + factor * joints[k].joint->spring_reference;
       described.terms.push_back({joints[k].name, quantity(factor), tendon.terms[k].joint.place});
     }
-    described.rest = tendon.stiffness.is_zero() ? model::Quantity() : quantity(tendon.rest.value_or(drawn));
+    described.rest = tendon.stiffness.is_zero() ? model::Quantity() : quantity(tendon.rest.value_or(length));
     description_.tendons.push_back(std::move(described));
   }
 };

@@ -61,6 +61,7 @@ struct Joint {
   std::array<Number, 3> pos;  // in this frame
   std::array<Number, 3> axis;
   Number reference;  // of hinges and slides: the position in which the bodies have the poses of the file
+  Number spring_reference;  // of hinges and slides: the position in which MuJoCo measures springs
   model::JointLimits limits;
   model::Drive drive;
   model::DrivePlaces places;
@@ -147,7 +148,7 @@ struct Tendon {
   bool is_used = false;       // by a coupling, a loop or a cylinder, or for its force
   // Of a fixed tendon: those of its spring and damper.
   Number stiffness, damping;
-  std::optional<Number> rest;  // absent: its length as drawn
+  std::optional<Number> rest;  // absent: its length where the joints are at their spring references
   Place stiffness_place, damping_place;
 
   bool has_force() const { return !stiffness.is_zero() || !damping.is_zero(); }

@@ -38,6 +38,7 @@ class JointReader {
     joint_.type = is_hinge_ ? model::JointType::revolute : model::JointType::prismatic;
     read_axis();
     joint_.reference = position("ref");
+    joint_.spring_reference = position("springref");
     read_drive();
     read_limits();
     return joint_;
@@ -96,7 +97,7 @@ class JointReader {
     read_value("armature", joint_.drive.armature, joint_.places.armature);
     read_coefficient("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
     if (!joint_.drive.stiffness.is_zero() || find(element_, "springdamper") != nullptr)
-      joint_.drive.rest = quantity(position("springref"));
+      joint_.drive.rest = quantity(joint_.spring_reference);
     if (const Attribute* rest = find(element_, "springref")) joint_.places.rest = rest->place;
     const Attribute* damper = find(element_, "springdamper");
     if (damper == nullptr) return;

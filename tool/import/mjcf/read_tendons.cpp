@@ -23,7 +23,7 @@ void read_force(const Element& e, Tendon& tendon, Diagnostics& diagnostics) {
   const Attribute* length = find(e, "springlength");
   if (length == nullptr || tendon.stiffness.is_zero()) return;
   const std::vector<Number> n = Values(diagnostics).numbers(*length, 1, 2);
-  // -1 stands for the length as drawn.
+  // -1 stands for the length where the joints are at their spring references.
   if (n.front().value() != -1.0) tendon.rest = n.front();
   if (n.size() == 1 || n[0] == n[1]) return;
   tendon.stiffness = Number();

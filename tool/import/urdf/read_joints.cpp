@@ -59,14 +59,13 @@ Mimic read_mimic(const Element& element, ElementReader& reader) {
 Elasticity read_elasticity(const Element& element, ElementReader& reader) {
   Elasticity result;
   result.place = reader.place(element.span);
-  const auto read = [&](const char* attribute, Number& value, Place& place) {
-    const Attribute* found = find(element, attribute);
+  const auto read = [&](const Attribute* found, Number& value, Place& place) {
     if (found == nullptr) return;
     value = reader.numbers(*found, 1)[0];
     place = reader.place(found->span);
   };
-  read("stiffness", result.stiffness, result.stiffness_place);
-  read("damping", result.damping, result.damping_place);
+  read(reader.require(element, "stiffness"), result.stiffness, result.stiffness_place);
+  read(find(element, "damping"), result.damping, result.damping_place);
   return result;
 }
 
