@@ -46,9 +46,9 @@ struct Elastic {
 const std::vector<Elastic> kElastic = {{150, 0.7, 0.3, 0.1}, {90, 0.0, 0.12, 0.0}, {2000, 3.0, 1.1, 4.0}};
 
 std::string text_of(const Elastic& e, bool is_elastic) {
-  const std::string damping = "damping = " + std::to_string(e.d) + " ";
-  return is_elastic ? damping + "armature = " + std::to_string(e.B) + " elastic { stiffness = " + std::to_string(e.K) +
-                          " damping = " + std::to_string(e.D) + " }"
+  const std::string damping = " damping = " + std::to_string(e.d);
+  return is_elastic ? "armature = " + std::to_string(e.B) + " elastic { stiffness = " + std::to_string(e.K) +
+                          " damping = " + std::to_string(e.D) + " }" + damping
                     : damping;
 }
 

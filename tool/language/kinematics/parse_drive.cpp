@@ -9,7 +9,27 @@ const WordList kElasticItems = {"stiffness", "damping"};
 const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
 
-// Parses a block of two values, of which only the first is mandatory.
+// Parses a block of two values, of which only the first is mandatory. A word behind the block is one of its items, whose
+// brace is misplaced, if `at_item`.
+template <class AtItem>
+bool pair(
+    BlockParser& parser,
+    const std::string& owner,
+    const Token& word,
+    WordList items,
+    AtItem at_item,
+    ExpressionPtr& first,
+    ExpressionPtr& second) {
+  Words found;
+  const bool sound = parser.block(owner, at_item, [&] {
+    if (!parser.cursor().at_any(items)) parser.unknown_item(owner, items);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    (key.text == *items.begin() ? first : second) = parser.scalar();
+  });
+  return sound && parser.check_complete(owner, word.span, found, {*items.begin()});
+}
+
 bool pair(
     BlockParser& parser,
     const std::string& owner,
@@ -17,14 +37,8 @@ bool pair(
     WordList items,
     ExpressionPtr& first,
     ExpressionPtr& second) {
-  Words found;
-  const bool sound = parser.block(owner, items, [&] {
-    if (!parser.cursor().at_any(items)) parser.unknown_item(owner, items);
-    const Token key = parser.word(found);
-    parser.equals(key);
-    (key.text == *items.begin() ? first : second) = parser.scalar();
-  });
-  return sound && parser.check_complete(owner, word.span, found, {*items.begin()});
+  return pair(
+      parser, owner, word, items, [&] { return parser.cursor().at_any(items); }, first, second);
 }
 
 bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std::optional<Rotor>& read) {
@@ -55,7 +69,9 @@ bool elasticity(
     std::optional<Elasticity>& read) {
   Elasticity& spring = read.emplace();
   spring.span = word.span;
-  return pair(parser, "the elasticity of " + joint, word, kElasticItems, spring.stiffness, spring.damping);
+  // A `damping` behind the block is that of the joint.
+  const auto at_item = [&] { return parser.cursor().at(*kElasticItems.begin()); };
+  return pair(parser, "the elasticity of " + joint, word, kElasticItems, at_item, spring.stiffness, spring.damping);
 }
 
 bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {

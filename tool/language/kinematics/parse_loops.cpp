@@ -9,6 +9,11 @@ const WordList kLoopItems = {"frames", "type", "distance", "branch"};
 const WordList kActuatorItems = {"from", "to"};
 const WordList kTendonItems = {"length", "stiffness", "damping", "rest"};
 
+// Whether the cursor is at an item of an element of these blocks, rather than at an element that has the name of one.
+auto at_item(const Cursor& cursor, const WordList& items) {
+  return [&] { return cursor.at_any(items) && cursor.at("=", 1); };
+}
+
 void take_comments(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
   for (std::string& comment : cursor.comments_before(cursor.previous().span.end))
@@ -55,7 +60,7 @@ void loop(BlockParser& parser, Body& body) {
   loop.name = parser.name("the name of a loop");
   const std::string owner = fmt::format("loop '{}'", loop.name.text);
   Words found;
-  const bool sound = parser.block(owner, kLoopItems, [&] {
+  const bool sound = parser.block(owner, at_item(cursor, kLoopItems), [&] {
     if (!cursor.at_any(kLoopItems)) parser.unknown_item(owner, kLoopItems);
     const Token key = parser.word(found);
     parser.equals(key);
@@ -87,7 +92,7 @@ void actuator(BlockParser& parser, Body& body) {
   actuator.name = parser.name("the name of an actuator");
   const std::string owner = fmt::format("actuator '{}'", actuator.name.text);
   Words found;
-  const bool is_sound = parser.block(owner, kActuatorItems, [&] {
+  const bool is_sound = parser.block(owner, at_item(parser.cursor(), kActuatorItems), [&] {
     if (!parser.cursor().at_any(kActuatorItems)) parser.unknown_item(owner, kActuatorItems);
     const Token key = parser.word(found);
     parser.equals(key);
@@ -102,7 +107,7 @@ void tendon(BlockParser& parser, Body& body) {
   tendon.name = parser.name("the name of a tendon");
   const std::string owner = fmt::format("tendon '{}'", tendon.name.text);
   Words found;
-  const bool is_sound = parser.block(owner, kTendonItems, [&] {
+  const bool is_sound = parser.block(owner, at_item(parser.cursor(), kTendonItems), [&] {
     if (!parser.cursor().at_any(kTendonItems)) parser.unknown_item(owner, kTendonItems);
     const Token key = parser.word(found);
     parser.equals(key);
