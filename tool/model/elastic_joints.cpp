@@ -4,21 +4,24 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace robcogen::model {
 namespace {
 
-// The entry of the joint among the children of the links; nullptr if no link names it, which `build` reports. Appending
-// to `description.links` invalidates it.
-DescribedLink* parent_of(Description& description, const std::string& joint) {
-  const auto names_joint = [&](const DescribedLink& link) {
-    return std::any_of(
-        link.children.begin(), link.children.end(), [&](const DescribedChild& child) { return child.joint == joint; });
-  };
-  if (names_joint(description.base)) return &description.base;
-  const auto found = std::find_if(description.links.begin(), description.links.end(), names_joint);
-  return found == description.links.end() ? nullptr : &*found;
+// By joint: the index of its parent as in described_link, and its child. Joints that no link names are reported by
+// `build`.
+struct Links {
+  std::size_t parent = 0;
+  std::string child;
+};
+std::map<std::string, Links> links_of_joints(const Description& description) {
+  std::map<std::string, Links> result;
+  for (std::size_t l = 0; l <= description.links.size(); ++l)
+    for (const DescribedChild& child : described_link(description, l).children)
+      result.insert({child.joint, {l, child.link}});
+  return result;
 }
 
 // Whether the joint can have a motor; reports why not.
@@ -44,6 +47,32 @@ bool may_have_motor(const DescribedJoint& joint, Diagnostics& diagnostics) {
           fmt::format("elastic joint '{}' has no 'armature': its motor would move without inertia", joint.name))
       .hint = "give it an armature: the inertia of the rotor times the square of the gear ratio";
   return false;
+}
+
+// By name: where the links and joints are declared.
+std::map<std::string, Place> places_of_names(const Description& description) {
+  std::map<std::string, Place> places = {{description.base.name, description.base.place}};
+  for (const DescribedLink& link : description.links) places.insert({link.name, link.place});
+  for (const DescribedJoint& joint : description.joints) places.insert({joint.name, joint.place});
+  return places;
+}
+
+// Whether the names for the motor of the joint are free; reports one that is not.
+bool are_names_free(
+    const DescribedJoint& joint,
+    const std::map<std::string, Place>& taken,
+    Diagnostics& diagnostics) {
+  for (const std::string& name : {motor_name(joint.name), motor_link_name(joint.name)}) {
+    const auto other = taken.find(name);
+    if (other == taken.end()) continue;
+    diagnostics
+        .error(
+            "motor-name-clash", other->second,
+            fmt::format("'{}' is the name of the motor of elastic joint '{}', or of its link", name, joint.name))
+        .notes.push_back({joint.place, "the elastic joint is declared here"});
+    return false;
+  }
+  return true;
 }
 
 DescribedJoint motor_of(DescribedJoint& joint) {
@@ -82,24 +111,27 @@ std::string elasticity_name(const std::string& joint) {
 }
 
 void add_motors(Description& description, Diagnostics& diagnostics) {
+  const auto is_elastic = [](const DescribedJoint& joint) { return joint.elasticity.has_value(); };
+  if (std::none_of(description.joints.begin(), description.joints.end(), is_elastic)) return;
+  const std::map<std::string, Place> taken = places_of_names(description);
+  const std::map<std::string, Links> links = links_of_joints(description);
   for (std::size_t j = 0, count = description.joints.size(); j < count; ++j) {
     DescribedJoint& joint = description.joints[j];
-    if (!joint.elasticity) continue;
-    if (!may_have_motor(joint, diagnostics)) continue;
-    DescribedLink* parent = parent_of(description, joint.name);
-    if (parent == nullptr) continue;
+    if (!joint.elasticity || !may_have_motor(joint, diagnostics) || !are_names_free(joint, taken, diagnostics)) continue;
+    const auto connected = links.find(joint.name);
+    if (connected == links.end()) continue;
+    const auto& [parent, child] = connected->second;
     const DescribedElasticity spring = *std::exchange(joint.elasticity, std::nullopt);
     DescribedJoint motor = motor_of(joint);
     // The axis of a rotor on the joint's child is that of the joint, as it is for a joint without a spring.
-    const auto child = std::find_if(
-        parent->children.begin(), parent->children.end(), [&](const auto& c) { return c.joint == joint.name; });
-    if (motor.drive.rotor && !motor.drive.rotor->axis && motor.rotor_carrier == child->link)
+    if (motor.drive.rotor && !motor.drive.rotor->axis && motor.rotor_carrier == child)
       motor.drive.rotor->axis = {Quantity(), Quantity(), Quantity(1.0)};
     DescribedLink link;
     link.name = motor_link_name(joint.name);
     link.place = joint.place;
     link.is_virtual = true;
-    parent->children.push_back({link.name, motor.name, joint.place, joint.place});
+    (parent == 0 ? description.base : description.links[parent - 1])
+        .children.push_back({link.name, motor.name, joint.place, joint.place});
     DescribedTendon tendon = {
         elasticity_name(joint.name), spring.place, {}, spring.stiffness, spring.damping, Quantity()};
     tendon.stiffness_place = spring.stiffness_place;
