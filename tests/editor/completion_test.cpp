@@ -76,6 +76,9 @@ TEST(Completion, OfNamesInRobots) {
   EXPECT_EQ(in_robot("Robot R { " + kLinks + " r_joint l { rotor { carrier = | } } }"), (Labels{"a", "b"}));
   EXPECT_EQ(in_robot("Robot R { link a { inertia_params { ref_frame = | } frames { tip {} } } }"), Labels{"tip"});
   EXPECT_TRUE(has(in_robot("Robot R { " + kLinks + " couplings { | } }"), "j"));
+  EXPECT_TRUE(has(in_robot("Robot R { " + kLinks + " tendons { t { length = | } } }"), "j"));
+  EXPECT_EQ(
+      in_robot("Robot R { " + kLinks + " tendons { t { | } } }"), (Labels{"length", "stiffness", "damping", "rest"}));
   const Labels values = in_robot("Robot R { link a { inertia_params { mass = size[1.0] CoM = (0.0, |");
   EXPECT_TRUE(has(values, "size") && has(values, "PI") && has(values, "sin"));
   EXPECT_FALSE(has(values, "mass"));

@@ -139,6 +139,23 @@ TEST_F(Names, AreRenamedThroughPartsAndInstances) {
   expect(biped_, "si|ze[", "width", {}, {{"size", "width"}}, {});
 }
 
+// The motor of an elastic joint has the name of the joint.
+TEST_F(Names, AreRenamedInTendons) {
+  const auto biped = [](const std::string& joint) {
+    return with(
+        kBiped, {{"    couplings { right_HAA = 0.5 * left_HAA }\n",
+                  "    link fin { id = 1 children {} }\n    r_joint " + joint +
+                      " { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } armature = 0.1 "
+                      "elastic { stiffness = 3.0 } }\n    tendons { t { length = " +
+                      joint + " - 2.0 * " + joint + "_motor + left_HAA } }\n"},
+                 {"        children {\n", "        children {\n            fin via " + joint + "\n"}});
+  };
+  client_.change(biped_, biped("wave"));
+  const Json edit = client_.ask_at("textDocument/rename", biped_, "wave_motor", {{"newName", "flap"}});
+  ASSERT_TRUE(client_.error.is_null()) << client_.error;
+  EXPECT_EQ(edited(biped("wave"), edit.at("changes").at(biped_)), biped("flap"));
+}
+
 // In a loop, `leg.hip` is the part's link; the head of a loop lists instances.
 TEST_F(Names, AreRenamedInLoops) {
   const std::string list =

@@ -34,6 +34,7 @@ class SameTree {
     expect_links();
     expect_joints();
     expect_couplings();
+    expect_tendons();
     expect_frames();
   }
 
@@ -82,6 +83,22 @@ class SameTree {
         expect_same(found.terms[k].factor, expected.terms[k].factor);
       }
       expect_same(found.offset, expected.offset);
+    }
+  }
+
+  void expect_tendons() const {
+    ASSERT_EQ(found_.tendons.size(), expected_.tendons.size());
+    for (std::size_t i = 0; i < expected_.tendons.size(); ++i) {
+      const model::Tendon &found = found_.tendons[i], &expected = expected_.tendons[i];
+      EXPECT_EQ(found.name, expected.name);
+      ASSERT_EQ(found.terms.size(), expected.terms.size());
+      for (std::size_t k = 0; k < expected.terms.size(); ++k) {
+        EXPECT_EQ(found.terms[k].joint, expected.terms[k].joint);
+        expect_same(found.terms[k].factor, expected.terms[k].factor);
+      }
+      expect_same(
+          Vector{found.stiffness, found.damping, found.rest},
+          Vector{expected.stiffness, expected.damping, expected.rest});
     }
   }
 

@@ -474,5 +474,24 @@ TEST(Urdf, TextThatIsTooLargeIsRefused) {
   EXPECT_EQ(result.of_code("too-large").size(), 1u);
 }
 
+// An element of RobCoGen's own.
+TEST(ElasticJoints, HaveMotors) {
+  const KinematicTree tree = tree_of(arm(
+      kUnitInertial, "",
+      R"(<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="7" velocity="2"/><dynamics armature="0.5" damping="3"/>
+         <elastic stiffness="200" damping="0.4"/>)"));
+  ASSERT_EQ(tree.joints.size(), 2U);
+  const model::Joint &joint = tree.joints[0], &motor = tree.joints[1];
+  EXPECT_EQ(motor.name, "hinge_motor");
+  EXPECT_EQ(text(motor.drive.armature) + " " + text(joint.drive.armature), "0.5 0.0");
+  EXPECT_EQ(text(motor.drive.damping) + " " + text(joint.drive.damping), "0.0 3.0");
+  EXPECT_EQ(motor.limits.effort, 7.0);
+  EXPECT_EQ(joint.limits.velocity, 2.0);
+  EXPECT_TRUE(std::isinf(joint.limits.effort) && std::isinf(motor.limits.velocity));
+  ASSERT_EQ(tree.tendons.size(), 1U);
+  EXPECT_EQ(text(tree.tendons[0].stiffness) + " " + text(tree.tendons[0].damping), "200.0 0.4");
+  EXPECT_FALSE(tree.uses_passive_forces);
+}
+
 }  // namespace
 }  // namespace robcogen::content_test

@@ -527,5 +527,34 @@ TEST(Mjcf, EqualitiesOfFixedTendonsAreCouplings) {
       robot_document(document("<joint joint1='b' polycoef='0.1'/>")));
 }
 
+// tests/oracles/mjcf/elastic.xml compares their forces with MuJoCo.
+TEST(Mjcf, SpringsOfFixedTendons) {
+  const auto tendons = [](const std::string& attributes) {
+    return tree_of(
+               std::string("<mujoco><default><default class='soft'><tendon stiffness='2'/></default></default>"
+                           "<worldbody><body><joint name='a' ref='30' springref='20'/>") +
+               kInertial + "</body><replicate count='2'><body><joint name='b'/>" + kInertial +
+               "</body></replicate></worldbody><tendon><fixed " + attributes +
+               "><joint joint='a' coef='3'/><joint joint='b' coef='-1'/></fixed></tendon></mujoco>")
+        .tendons;
+  };
+  EXPECT_TRUE(tendons("name='t' range='0 1'").empty());
+  // One for each copy; at rest where the joints are at their spring references.
+  const std::vector<model::Tendon> drawn = tendons("name='t' class='soft' damping='0.5 0 0'");
+  ASSERT_EQ(drawn.size(), 2U);
+  EXPECT_EQ(drawn[0].name, "t");
+  EXPECT_EQ(drawn[1].name, "t_2");
+  EXPECT_EQ(model::evaluate(drawn[0].stiffness), 2.0);
+  EXPECT_EQ(model::evaluate(drawn[0].damping), 0.5);
+  EXPECT_NEAR(model::evaluate(drawn[0].rest), 3 * std::acos(-1.0) / 9, 1e-15);
+  ASSERT_EQ(drawn[1].terms.size(), 2U);
+  EXPECT_EQ(drawn[0].terms[1].joint, 1);
+  EXPECT_EQ(drawn[1].terms[1].joint, 2);
+  EXPECT_EQ(model::evaluate(drawn[1].terms[0].factor), 3.0);
+  // A length is not an angle, whatever the unit of angles.
+  EXPECT_EQ(model::evaluate(tendons("stiffness='1' springlength='0.25'")[0].rest), 0.25);
+  EXPECT_EQ(model::evaluate(tendons("stiffness='1' springlength='0.25 0.25'")[0].rest), 0.25);
+}
+
 }  // namespace
 }  // namespace robcogen::mjcf_content_test

@@ -242,7 +242,9 @@ const Model& urdf_model() {
         </link>
         <joint @joint@>%joint%<origin @origin@/><parent @parent@/><child @child@/><axis @axis@/><limit @limit@/>
           <dynamics @dynamics@/></joint>
-        <joint name='wrist' type='continuous'><parent link='arm'/><child link='tool'/><mimic @mimic@/></joint>
+        <joint name='wrist' type='continuous'><parent link='arm'/><child link='tool'/><mimic @mimic@/>
+          <elastic @elastic@/></joint>
+        <transmission><joint name='wrist'/><actuator><drake:rotor_inertia value='0.1'/></actuator></transmission>
         <gazebo reference='arm'>%gazebo%</gazebo>
       </robot>)",
       {{"robot", "name='r'"},
@@ -256,7 +258,8 @@ const Model& urdf_model() {
        {"axis", "xyz='0 0 1'"},
        {"limit", "lower='-1' upper='1' effort='1' velocity='1'"},
        {"dynamics", "damping='1'"},
-       {"mimic", "joint='hinge' multiplier='1'"}}};
+       {"mimic", "joint='hinge' multiplier='1'"},
+       {"elastic", "stiffness='3'"}}};
   return model;
 }
 

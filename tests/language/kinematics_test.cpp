@@ -295,6 +295,26 @@ TEST(Kinematics, TellsDocumentsApart) {
   EXPECT_FALSE(equal(without_comments(leg), leg));
 }
 
+// The damping behind an elastic block is that of the joint, and names of tendons may be words of their items.
+TEST(Kinematics, ReadsElasticJointsAndTendons) {
+  const std::string text =
+      "Robot R { RobotBase base { children {} } r_joint j { ref_frame { translation = (0, 0, 0) rotation = (0, 0, 0) } "
+      "elastic { stiffness = 2.0 damping = 3.0 } damping = 4.0 armature = 5.0 } "
+      "tendons { rest { length = j stiffness = 6.0 } length { length = 7.0 j damping = 8.0 rest = 9.0 } } }";
+  const Document robot = read_robot(text);
+  const Joint& joint = robot.joints.at(0);
+  ASSERT_TRUE(joint.elasticity && joint.elasticity->damping);
+  EXPECT_EQ(language::print(*joint.elasticity->damping) + language::print(*joint.drive.damping), "3.04.0");
+  ASSERT_EQ(robot.tendons.size(), 2U);
+  EXPECT_EQ(robot.tendons[1].name.text, "length");
+  EXPECT_TRUE(equal(read_robot(print(robot)), robot));
+  for (const char digit : {'2', '3', '4', '5', '6', '7', '8', '9'}) {
+    std::string other = text;
+    other[other.find(digit)] = '1';
+    EXPECT_FALSE(equal(read_robot(other), robot)) << digit;
+  }
+}
+
 // One file with errors of several kinds: each is reported once, and nothing else.
 TEST(Kinematics, TellsAllErrorsOfAFileAndNoOthers) {
   std::string text = kLeg;

@@ -252,6 +252,13 @@ kinematics::Rotor rotor() {
   return rotor;
 }
 
+kinematics::Elasticity elasticity() {
+  kinematics::Elasticity elasticity;
+  elasticity.stiffness = expression(2);
+  elasticity.damping = maybe_expression();
+  return elasticity;
+}
+
 kinematics::Limits limits() {
   kinematics::Limits limits;
   limits.position = maybe([] { return std::array{expression(2), expression(2)}; });
@@ -274,6 +281,7 @@ kinematics::Joint joint() {
   kinematics::DriveAndLimits one;
   one.drive = drive();
   one.rotor = maybe(rotor);
+  one.elasticity = maybe(elasticity);
   one.limits = limits();
   one.assembled = maybe_expression();
   const auto words = kinematics::coordinate_words(joint.type);
@@ -312,6 +320,16 @@ kinematics::Actuator actuator() {
   return actuator;
 }
 
+kinematics::Tendon tendon() {
+  kinematics::Tendon tendon;
+  tendon.name = robot_name();
+  tendon.length = expression(3);
+  tendon.stiffness = maybe_expression();
+  tendon.damping = maybe_expression();
+  tendon.rest = maybe_expression();
+  return tendon;
+}
+
 kinematics::Document robot() {
   kinematics::Document document;
   document.robot = robot_name();
@@ -323,6 +341,7 @@ kinematics::Document robot() {
   document.couplings = up_to(4, coupling);
   document.loop_joints = up_to(3, loop_joint);
   document.actuators = up_to(3, actuator);
+  document.tendons = up_to(3, tendon);
   document.independents = up_to(3, robot_name);
   return document;
 }

@@ -70,6 +70,22 @@ void add_random_rotor(KinematicTree& robot, model::Joint& joint, Dice& dice) {
   if (is_fixed || add_to_carrier(robot.links[at(rotor.carrier)], rotor, on_carrier)) joint.drive.rotor = rotor;
 }
 
+// Tendons over a few joints each, which may be coupled or on different branches.
+void add_random_tendons(KinematicTree& robot, Dice& dice) {
+  const int count = 1 + dice.below(3);
+  for (int k = 0; k < count; ++k) {
+    model::Tendon tendon;
+    tendon.name = "tendon" + std::to_string(k);
+    if (dice.chance(0.8)) tendon.stiffness = Quantity(dice.between(1, 50));
+    if (dice.chance(0.6)) tendon.damping = Quantity(dice.between(0.01, 2));
+    if (dice.chance(0.5)) tendon.rest = Quantity(dice.between(-1, 1));
+    for (std::size_t j = 0; j < robot.joints.size(); ++j)
+      if (robot.joints[j].spherical.empty() && dice.chance(0.4))
+        tendon.terms.push_back({static_cast<int>(j), Quantity(dice.chance(0.3) ? dice.sign() : dice.between(-2, 2))});
+    if (!tendon.terms.empty()) robot.tendons.push_back(std::move(tendon));
+  }
+}
+
 }  // namespace
 
 KinematicTree with_random_drives(KinematicTree robot, std::uint64_t seed) {
@@ -87,6 +103,7 @@ KinematicTree with_random_drives(KinematicTree robot, std::uint64_t seed) {
     if (!drive.stiffness.is_zero()) drive.rest = maybe(-1, 1);
     if (dice.chance(0.5)) add_random_rotor(robot, joint, dice);
   }
+  if (dice.chance(0.3)) add_random_tendons(robot, dice);
   return robot;
 }
 

@@ -7,7 +7,8 @@
 
 namespace robcogen::numeric {
 
-// Adds a random drive to most joints of the robot, with rotors on any links. The result depends only on the seed.
+// Adds a random drive to most joints of the robot, with rotors on any links, and tendons to some robots. The result
+// depends only on the seed.
 model::KinematicTree with_random_drives(model::KinematicTree robot, std::uint64_t seed);
 
 // A robot whose only drives are rotors, and the same robot with a body and a joint in place of each rotor.

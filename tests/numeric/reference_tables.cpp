@@ -150,6 +150,14 @@ reference::Tables reference_tables(const model::KinematicTree& robot, std::span<
     tables.add_follower(
         static_cast<int>(std::find(order.begin(), order.end(), follower) - order.begin()),
         model::evaluate(robot.coupling_of(follower)->offset));
+  for (const model::Tendon& tendon : robot.tendons) {
+    std::vector<double> factors(order.size());
+    for (const model::Tendon::Term& term : tendon.terms)
+      factors[static_cast<std::size_t>(std::find(order.begin(), order.end(), term.joint) - order.begin())] =
+          model::evaluate(term.factor, parameters);
+    const auto value = [&](const model::Quantity& q) { return model::evaluate(q, parameters); };
+    tables.add_tendon(tendon.name, factors, value(tendon.stiffness), value(tendon.damping), value(tendon.rest));
+  }
   for (const model::Frame& frame : robot.frames()) {
     const model::Placement placement = robot.placement_of(frame);
     tables.add_frame(

@@ -126,6 +126,8 @@ KinematicTree reordered(
     joint.child = link_place[at(joint.child)];
     if (joint.drive.rotor) joint.drive.rotor->carrier = link_place[at(joint.drive.rotor->carrier)];
   }
+  for (model::Tendon& tendon : result.tendons)
+    for (model::Tendon::Term& term : tendon.terms) term.joint = joint_place[at(term.joint)];
   for (UserFrame& frame : result.user_frames) frame.link = link_place[at(frame.link)];
   return result;
 }
@@ -219,6 +221,12 @@ KinematicTree with_locked_joint(const KinematicTree& robot, int joint, double po
     beyond(j.child, locked.child);
   }
   for (UserFrame& frame : result.user_frames) beyond(frame.link, locked.child);
+  for (model::Tendon& tendon : result.tendons) {
+    for (const model::Tendon::Term& term : tendon.terms)
+      if (term.joint == joint) tendon.rest = tendon.rest - term.factor * Quantity(position);
+    std::erase_if(tendon.terms, [&](const model::Tendon::Term& term) { return term.joint == joint; });
+    for (model::Tendon::Term& term : tendon.terms) beyond(term.joint, joint);
+  }
   return result;
 }
 

@@ -88,6 +88,10 @@ KinematicTree with_spherical_joints(const KinematicTree& robot, std::uint64_t se
     if (have_drives && dice.chance(0.3)) joint.drive.damping = Quantity(dice.between(0.1, 2));
     if (have_drives && dice.chance(0.3)) joint.drive.armature = Quantity(dice.between(0.1, 2));
   }
+  for (model::Tendon& tendon : result.tendons)
+    std::erase_if(tendon.terms, [&](const model::Tendon::Term& term) {
+      return result.joints[at(term.joint)].type == model::JointType::spherical;
+    });
   model::expand_spherical_joints(result);
   result.inertia_defects = model::inertia_defects(result);
   return result;

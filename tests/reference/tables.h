@@ -66,6 +66,17 @@ class Tables {
     couplings_.push_back({kept.data(), offset, assembled});
   }
 
+  // Factors are those of all joints, in order.
+  void add_tendon(
+      const std::string& name,
+      const std::vector<double>& factors,
+      double stiffness,
+      double damping,
+      double rest) {
+    const std::vector<double>& kept = factors_.emplace_back(factors);
+    tendons_.push_back({stored(name), kept.data(), stiffness, damping, rest});
+  }
+
   // Frames are given by index. Joints that follow through loops have couplings whose factors are NaN.
   void add_loop(const std::string& name, reflection::LoopType type, int first, int second, double length) {
     loops_.push_back({stored(name), type, {first, second}, length});
@@ -113,6 +124,7 @@ class Tables {
     robot.contacts = view(contacts_);
     robot.loops = view(loops_);
     robot.followers = view(followers_);
+    robot.tendons = view(tendons_);
     return robot;
   }
 
@@ -137,6 +149,7 @@ class Tables {
   std::vector<reflection::Contact> contacts_;
   std::vector<reflection::Loop> loops_;
   std::vector<reflection::Follower> followers_;
+  std::vector<reflection::Tendon> tendons_;
   std::vector<reflection::Jacobian> jacobians_;
   std::vector<reflection::FrameFunction> frame_functions_;
 };

@@ -9,6 +9,7 @@
 #include "command/spherical_joints.h"
 #include "command/subcommands.h"
 #include "driver/documents.h"
+#include "export/elastic_joints.h"
 #include "export/frames.h"
 #include "export/kinematics.h"
 #include "export/urdf.h"
@@ -168,6 +169,28 @@ void mention_lost_actuators(const Robot& robot, Diagnostics& diagnostics) {
       fmt::format("a URDF has no actuators between frames; these are left out: {}", fmt::join(lost, ", ")));
 }
 
+// Adds a warning that lists the elastic joints, which become rigid, and one that lists other tendons.
+void mention_lost_tendons(const Robot& robot, Diagnostics& diagnostics) {
+  std::vector<std::string> rigid, lost;
+  std::vector<bool> is_spring(robot.tree.tendons.size());
+  for (const exporting::ElasticJoint& elastic : exporting::elastic_joints(robot.tree)) {
+    rigid.push_back(fmt::format("'{}'", robot.tree.joints[static_cast<std::size_t>(elastic.joint)].name));
+    is_spring[static_cast<std::size_t>(elastic.tendon)] = true;
+  }
+  for (std::size_t t = 0; t < is_spring.size(); ++t)
+    if (!is_spring[t]) lost.push_back(fmt::format("'{}'", robot.tree.tendons[t].name));
+  if (!rigid.empty())
+    diagnostics.warning(
+        "elasticity-lost", robot.tree.joints.front().place,
+        fmt::format(
+            "a URDF has no elastic joints; these become rigid, without the inertia of their motors: {}",
+            fmt::join(rigid, ", ")));
+  if (!lost.empty())
+    diagnostics.warning(
+        "tendon-lost", robot.tree.tendons.front().place,
+        fmt::format("a URDF has no tendons; these are left out: {}", fmt::join(lost, ", ")));
+}
+
 // Adds one note if the dynamics of the URDF do not include damping and friction, because those of a robot document do.
 void mention_passive_forces(const Robot& robot, Diagnostics& diagnostics) {
   if (robot.tree.uses_passive_forces) return;
@@ -249,7 +272,8 @@ void mention_implausible(const std::string& text, const fs::path& file, Diagnost
 
 std::string robot_document(const ConvertOptions& options, const Robot& robot) {
   language::kinematics::Document document =
-      exporting::numbered_parents_first(robot.tree, exporting::kinematics_document(robot.tree));
+      exporting::with_elastic_joints(
+          robot.tree, exporting::numbered_parents_first(robot.tree, exporting::kinematics_document(robot.tree)));
   document.comments = origin(options);
   return language::kinematics::print(document);
 }
@@ -297,7 +321,8 @@ std::string text_of_robot(const ConvertOptions& options, const driver::Model& mo
       mention_urdf_plus(robot, diagnostics);
       mention_lost_drives(robot, diagnostics);
       mention_lost_actuators(robot, diagnostics);
-      std::string text = exporting::urdf(robot.tree);
+      mention_lost_tendons(robot, diagnostics);
+      std::string text = exporting::urdf(exporting::with_rigid_joints(robot.tree));
       mention_implausible(text, model.file, diagnostics);
       return text;
     }

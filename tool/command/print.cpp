@@ -5,6 +5,7 @@
 #include "command/subcommands.h"
 #include "driver/documents.h"
 #include "driver/optimise.h"
+#include "export/elastic_joints.h"
 #include "export/kinematics.h"
 #include "language/desired/document.h"
 #include "language/kinematics/original.h"
@@ -53,7 +54,9 @@ Status print_reduced(const PrintOptions& options) {
   const std::optional<driver::Model> model = options.model.load();
   if (!model) return wrong_input;
   require_apart_from_output(model->read);
-  write_output(language::kinematics::print(exporting::kinematics_document(model->robot()->tree)));
+  const model::KinematicTree& tree = model->robot()->tree;
+  write_output(
+      language::kinematics::print(exporting::with_elastic_joints(tree, exporting::kinematics_document(tree))));
   return ok;
 }
 

@@ -102,6 +102,10 @@ Functions split_parameters(const Robot& robot, Functions functions, const Passes
     functions.numbers.push_back(function_of(
         "parameters", algorithm::coupling_numbers(robot.tree),
         {"The numbers of couplings, a column for each coupled joint: its factors, then its offset."}));
+  if (!robot.tree.tendons.empty())
+    functions.numbers.push_back(function_of(
+        "parameters", algorithm::tendon_numbers(robot.tree),
+        {"The numbers of tendons, a column for each: the factors of all joints, stiffness, damping, rest length."}));
   return functions;
 }
 

@@ -58,6 +58,7 @@ class Writer {
     for (const model::Coupling& coupling : tree_.couplings)
       if (coupling.is_linear() && coupling.loop < 0) document.couplings.push_back(write(coupling));
     for (const model::LoopJoint& loop : tree_.loops) document.loop_joints.push_back(write(loop));
+    for (const model::Tendon& tendon : tree_.tendons) document.tendons.push_back(write(tendon));
     document.independents = independents();
     for (const model::Actuator& actuator : tree_.actuators)
       document.actuators.push_back(
@@ -178,8 +179,6 @@ class Writer {
   }
 
   kinematics::Coupling write(const model::Coupling& from) const {
-    std::vector<std::string> names = {"rad", "m"};
-    for (const model::Joint& joint : tree_.joints) names.push_back(joint.name);
     const Quantity rad = Quantity::variable(0), m = Quantity::variable(1);
     const auto slides = [&](int joint) { return !model::turns(tree_.joints[at(joint)].type); };
     Quantity value;
@@ -189,7 +188,32 @@ class Writer {
       if (slides(from.joint) != slides(term.joint)) factor = slides(from.joint) ? factor * m / rad : factor * rad / m;
       value = value + factor * Quantity::variable(2 + term.joint);
     }
-    return {{tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names)};
+    return {{tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names_in_sums())};
+  }
+
+  // The length of a tendon is in m if any of its joints slides.
+  kinematics::Tendon write(const model::Tendon& from) const {
+    const auto slides = [&](const model::Tendon::Term& term) { return !model::turns(tree_.joints[at(term.joint)].type); };
+    const bool is_in_metres = std::any_of(from.terms.begin(), from.terms.end(), slides);
+    const Quantity rad = Quantity::variable(0), m = Quantity::variable(1);
+    Quantity length;
+    for (const model::Tendon::Term& term : from.terms) {
+      const Quantity factor = is_in_metres && !slides(term) ? term.factor * m / rad : term.factor;
+      length = length + factor * Quantity::variable(2 + term.joint);
+    }
+    return {
+        {from.name, {}},
+        expression(length, tree_.parameters, names_in_sums()),
+        given(from.stiffness),
+        given(from.damping),
+        given(from.rest)};
+  }
+
+  // The units, then the joints.
+  std::vector<std::string> names_in_sums() const {
+    std::vector<std::string> names = {"rad", "m"};
+    for (const model::Joint& joint : tree_.joints) names.push_back(joint.name);
+    return names;
   }
 
   kinematics::LoopJoint write(const model::LoopJoint& loop) const {

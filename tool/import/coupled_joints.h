@@ -1,4 +1,4 @@
-// The joints that couplings may name.
+// The joints that couplings and tendons may name.
 #pragma once
 
 #include <map>
@@ -9,7 +9,8 @@
 
 namespace robcogen::import {
 
-// Joints with one coordinate, and the coordinates of joints with several, which have names of their own.
+// Joints with one coordinate, the coordinates of joints with several, which have names of their own, and the motors of
+// elastic joints.
 class CoupledJoints {
  public:
   explicit CoupledJoints(const language::kinematics::Document& document);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace robcogen::import {
 namespace {
 
@@ -12,13 +14,18 @@ using Kind = Expression::Kind;
 
 class SumReader {
  public:
-  SumReader(const CoupledJoints& joints, QuantityReader& reader, Diagnostics& diagnostics)
-      : joints_(joints), reader_(reader), diagnostics_(diagnostics) {}
+  // `owner`: what is a sum of joints, for messages.
+  SumReader(const CoupledJoints& joints, QuantityReader& reader, Diagnostics& diagnostics, std::string owner)
+      : joints_(joints), reader_(reader), diagnostics_(diagnostics), owner_(std::move(owner)) {}
 
   std::optional<CouplingSum> read(const language::kinematics::Coupling& coupling) {
     check_single(coupling.joint.text, coupling.joint.span);
     const bool turns = joints_.turns(coupling.joint.text).value_or(true);
-    CouplingSum result = sum(*coupling.value, turns ? ParameterKind::angle : ParameterKind::length);
+    return read(*coupling.value, turns ? ParameterKind::angle : ParameterKind::length);
+  }
+
+  std::optional<CouplingSum> read(const Expression& value, ParameterKind kind) {
+    CouplingSum result = sum(value, kind);
     return is_wrong_ ? std::nullopt : std::optional(std::move(result));
   }
 
@@ -26,6 +33,7 @@ class SumReader {
   const CoupledJoints& joints_;
   QuantityReader& reader_;
   Diagnostics& diagnostics_;
+  std::string owner_;
   bool is_wrong_ = false;  // an error was reported
 
   // Reports a joint with several coordinates.
@@ -145,7 +153,8 @@ class SumReader {
     else
       diagnostics_.error(
           "coupling-not-linear", reader_.place(e),
-          "this is not linear in the joints: a coupling is a sum of joints times constants, plus a constant");
+          fmt::format(
+              "this is not linear in the joints: {} is a sum of joints times constants, plus a constant", owner_));
     return {};
   }
 };
@@ -157,7 +166,15 @@ std::optional<CouplingSum> read_coupling_sum(
     const CoupledJoints& joints,
     QuantityReader& reader,
     Diagnostics& diagnostics) {
-  return SumReader(joints, reader, diagnostics).read(coupling);
+  return SumReader(joints, reader, diagnostics, "a coupling").read(coupling);
+}
+
+std::optional<CouplingSum> read_length(
+    const Expression& length,
+    const CoupledJoints& joints,
+    QuantityReader& reader,
+    Diagnostics& diagnostics) {
+  return SumReader(joints, reader, diagnostics, "the length of a tendon").read(length, ParameterKind::inertial);
 }
 
 }  // namespace robcogen::import

@@ -1,4 +1,4 @@
-// The right-hand side of a coupling: a sum of joints times constants, plus a constant.
+// The right-hand side of a coupling, or the length of a tendon: a sum of joints times constants, plus a constant.
 #pragma once
 
 #include <optional>
@@ -48,6 +48,13 @@ struct CouplingSum {
 // undeclared name that is multiplied by a joint, or a division by zero.
 std::optional<CouplingSum> read_coupling_sum(
     const language::kinematics::Coupling& coupling,
+    const CoupledJoints& joints,
+    QuantityReader& reader,
+    Diagnostics& diagnostics);
+
+// The same for the length of a tendon. Parameters in the constant are those of the dynamics.
+std::optional<CouplingSum> read_length(
+    const language::Expression& length,
     const CoupledJoints& joints,
     QuantityReader& reader,
     Diagnostics& diagnostics);

@@ -43,6 +43,13 @@ class DriveDescriber {
     places.rotor_carrier = reader_.place(rotor.carrier->span);
   }
 
+  void describe(const kinematics::Elasticity& given) {
+    model::DescribedElasticity& spring = described_.elasticity.emplace();
+    spring.place = reader_.place(given.span);
+    read(given.stiffness, spring.stiffness, spring.stiffness_place);
+    read(given.damping, spring.damping, spring.damping_place);
+  }
+
   void describe(const kinematics::Limits& limits) {
     model::DrivePlaces& places = described_.drive_places;
     if (limits.position) {
@@ -110,6 +117,7 @@ void describe_drive(
   DriveDescriber describer(reader, diagnostics, described);
   describer.describe(given.drive);
   if (given.rotor) describer.describe(*given.rotor);
+  if (given.elasticity) describer.describe(*given.elasticity);
   describer.describe(given.limits);
   if (given.assembled) describer.describe_assembled(given.assembled);
 }

@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "import/couplings.h"
 #include "import/drive.h"
 #include "import/parameters.h"
+#include "import/tendons.h"
 #include "language/kinematics/expressions.h"
+#include "model/elastic_joints.h"
 
 namespace robcogen::import {
 
@@ -45,6 +48,7 @@ class Describer {
       else
         description.joints.push_back(describe(joint));
     }
+    model::add_motors(description, diagnostics_);
     description.couplings = read_couplings(document_, reader_, diagnostics_);
     for (const kinematics::LoopJoint& loop : document_.loop_joints) description.loops.push_back(describe(loop));
     for (const kinematics::Name& joint : document_.independents)
@@ -54,6 +58,8 @@ class Describer {
       description.actuators.push_back(
           {actuator.name.text, place(actuator.name.span), {from.text, to.text}, {place(from.span), place(to.span)}});
     }
+    for (model::DescribedTendon& tendon : read_tendons(document_, reader_, diagnostics_))
+      description.tendons.push_back(std::move(tendon));
     description.parameters = reader_.parameters();
     for (const kinematics::Limb& limb : document_.limbs) description.limbs.push_back(describe(limb));
     reader_.report_accidents();

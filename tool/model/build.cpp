@@ -12,6 +12,7 @@
 #include "model/name_index.h"
 #include "model/plausibility.h"
 #include "model/spherical_joints.h"
+#include "model/tendons.h"
 #include "support/index.h"
 
 namespace robcogen::model {
@@ -84,6 +85,7 @@ void declare_elements(Assembly& a) {
     a.tree.joints.push_back(
         {joint.name, joint.type, -1, -1, joint.placement, joint.place, joint.limits, joint.drive, joint.pitch,
          joint.assembled});
+    a.tree.joints.back().motor_of = joint.motor_of;
     if (const auto link = a.links.find(joint.name)) {
       a.diagnostics
           .error(
@@ -390,6 +392,7 @@ std::optional<KinematicTree> build(const Description& description, Diagnostics& 
     for (std::size_t j = 0; j < a.tree.joints.size(); ++j) resolve_carrier(a, j);
   }
   a.tree.couplings = resolve_couplings(description, a.joints, a.joints_repeat, diagnostics);
+  a.tree.tendons = resolve_tendons(description, a.joints, a.joints_repeat, diagnostics);
   if (diagnostics.error_count() == errors_before) resolve_loops(description, a.tree, diagnostics);
   if (diagnostics.error_count() == errors_before) resolve_actuators(description, a.tree, diagnostics);
   check_link_ids(description, diagnostics);

@@ -57,6 +57,15 @@ struct DrivePlaces {
   Place effort_limit;
 };
 
+// The spring and damper between a joint and its motor.
+struct DescribedElasticity {
+  Quantity stiffness;
+  Quantity damping;
+  Place place;
+  Place stiffness_place = {};
+  Place damping_place = {};
+};
+
 struct DescribedJoint {
   std::string name;
   Place place;
@@ -69,6 +78,8 @@ struct DescribedJoint {
   Quantity pitch = {};                            // of a helical joint: m/rad
   std::optional<double> assembled = {};           // position in which its loops are assembled
   Place assembled_place = {};
+  std::optional<DescribedElasticity> elasticity = {};  // see elastic_joints.h
+  std::string motor_of = {};                           // as in Joint
 };
 
 // The position of a joint as a sum over other joints, which may follow further joints themselves.
@@ -92,6 +103,18 @@ struct DescribedLoop {
   std::array<Place, 2> frame_places;
   Quantity length = {};  // of LoopType::distance: m
   bool takes_other_branch = false;
+};
+
+// Terms of the same joint add up.
+struct DescribedTendon {
+  std::string name;
+  Place place;
+  std::vector<DescribedCoupling::Term> terms;
+  Quantity stiffness;
+  Quantity damping;
+  Quantity rest;
+  Place stiffness_place = {};
+  Place damping_place = {};
 };
 
 struct DescribedActuator {
@@ -137,6 +160,7 @@ struct Description {
   // Joints that do not follow others as long as joints without drives can. Those with a rotor, armature or a limit of
   // effort are among them anyway.
   std::vector<std::string> driven = {};
+  std::vector<DescribedTendon> tendons = {};
   std::vector<DescribedActuator> actuators = {};
   std::vector<Parameter> parameters;
   std::vector<DescribedLimb> limbs = {};

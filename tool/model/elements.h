@@ -81,4 +81,11 @@ struct CouplingNumbers {
 };
 CouplingNumbers coupling_numbers(const KinematicTree& tree, const Coupling& coupling, const DefaultValues& value);
 
+// How the length of a tendon follows the joints: its factors, one per joint, coupled ones included.
+struct TendonNumbers {
+  std::vector<double> factors;
+  double stiffness = 0, damping = 0, rest = 0;
+};
+TendonNumbers tendon_numbers(const KinematicTree& tree, const Tendon& tendon, const DefaultValues& value);
+
 }  // namespace robcogen::model

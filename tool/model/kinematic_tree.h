@@ -16,6 +16,7 @@
 #include "model/loop.h"
 #include "model/placement.h"
 #include "model/quantity.h"
+#include "model/tendon.h"
 
 namespace robcogen::model {
 
@@ -92,6 +93,8 @@ struct Joint {
   // and limits.
   std::string spherical = {};
   int axis = 2;
+  // For the motor of a series-elastic joint: the name of that joint (elastic_joints.h).
+  std::string motor_of = {};
 
   // The name in the document.
   const std::string& declared_name() const { return spherical.empty() ? name : spherical; }
@@ -192,6 +195,7 @@ class KinematicTree {
   std::vector<LoopJoint> loops = {};
   std::vector<Closure> closures = {};        // in an order in which they can be solved
   std::vector<Closure> parallelograms = {};  // loops that linear couplings keep closed; solved before `closures`
+  std::vector<Tendon> tendons = {};
   std::vector<Actuator> actuators = {};
   std::vector<UserFrame> user_frames;
   std::vector<Parameter> parameters;

@@ -94,48 +94,88 @@ double folding_part(const Quantity& q) {
   return q.number().is_pi_multiple() || size == std::round(size) ? size : kOther;
 }
 
-// A coupling within a limb, described independently of the limb: the shape of the limb without the coupling, which of
-// its joints follows, and which joints that follows.
+// A coupling or a tendon: what ties joints to each other.
+struct Bond {
+  bool is_tendon = false;
+  std::vector<int> joints;      // of a coupling: the follower, then the joints that it follows
+  std::vector<double> numbers;  // offset and factors, or presence and factors, as far as they fold
+  bool may_correspond = true;   // to a bond of another limb
+};
+
+Bond bond_of(const Coupling& coupling) {
+  Bond bond{false, {coupling.joint}, {folding_part(coupling.offset)}, coupling.is_linear()};
+  for (const Coupling::Term& term : coupling.terms) {
+    bond.joints.push_back(term.joint);
+    bond.numbers.push_back(folding_part(term.factor));
+  }
+  return bond;
+}
+
+Bond bond_of(const Tendon& tendon) {
+  Bond bond{true, {}, {}};
+  for (const Quantity* q : {&tendon.stiffness, &tendon.damping, &tendon.rest}) bond.numbers.push_back(q->is_zero());
+  for (const Tendon::Term& term : tendon.terms) {
+    bond.joints.push_back(term.joint);
+    bond.numbers.push_back(folding_part(term.factor));
+  }
+  return bond;
+}
+
+// Whether this is the spring of an elastic joint. A limb with such a joint has another shape anyway, for its motor.
+bool is_elasticity(const KinematicTree& tree, const Tendon& tendon) {
+  const auto is_motor_of_other = [&](const Tendon::Term& term) {
+    const std::string& joint = tree.joints[at(term.joint)].motor_of;
+    return !joint.empty() && std::any_of(tendon.terms.begin(), tendon.terms.end(), [&](const Tendon::Term& other) {
+      return tree.joints[at(other.joint)].name == joint;
+    });
+  };
+  return tendon.terms.size() == 2 && std::any_of(tendon.terms.begin(), tendon.terms.end(), is_motor_of_other);
+}
+
+std::vector<Bond> bonds_of(const KinematicTree& tree) {
+  std::vector<Bond> bonds;
+  for (const Coupling& coupling : tree.couplings) bonds.push_back(bond_of(coupling));
+  for (const Tendon& tendon : tree.tendons)
+    if (!is_elasticity(tree, tendon)) bonds.push_back(bond_of(tendon));
+  return bonds;
+}
+
+// A bond within a limb, described independently of the limb: the shape of the limb without the bond, and which of its
+// joints it ties.
 struct Role {
+  bool is_tendon = false;
   int shape = 0;
-  std::vector<int> places;      // indices in the limb's joints: the follower, then the joints that it follows
-  std::vector<double> numbers;  // offset, factors
+  std::vector<int> places;  // indices in the limb's joints
+  std::vector<double> numbers;
   friend auto operator<=>(const Role&, const Role&) = default;
 };
 
-std::vector<int> joints_of(const Coupling& coupling) {
-  std::vector<int> joints = {coupling.joint};
-  for (const Coupling::Term& term : coupling.terms) joints.push_back(term.joint);
-  return joints;
-}
-
-Role role_of(const KinematicTree& tree, const Coupling& coupling, const std::vector<int>& shapes, int root) {
+Role role_of(const KinematicTree& tree, const Bond& bond, const std::vector<int>& shapes, int root) {
   const std::vector<int> limb = limb_joints(tree, shapes, root);
-  Role role{shapes[at(root)], {}, {folding_part(coupling.offset)}};
-  for (const int joint : joints_of(coupling))
+  Role role{bond.is_tendon, shapes[at(root)], {}, bond.numbers};
+  for (const int joint : bond.joints)
     role.places.push_back(static_cast<int>(std::find(limb.begin(), limb.end(), joint) - limb.begin()));
-  for (const Coupling::Term& term : coupling.terms) role.numbers.push_back(folding_part(term.factor));
   return role;
 }
 
-// Couplings within limbs are equal if they tie corresponding joints in the same way. A coupling between limbs makes the
-// shapes of its joints unique, as a loop does.
-void tie_coupled_joints(const KinematicTree& tree, const std::vector<std::size_t>& distance, Ties& ties) {
+// Bonds within limbs are equal if they tie corresponding joints in the same way. A bond between limbs makes the shapes
+// of its joints unique, as a loop does.
+void tie_bound_joints(const KinematicTree& tree, const std::vector<std::size_t>& distance, Ties& ties) {
+  const std::vector<Bond> bonds = bonds_of(tree);
   std::vector<int> roots;
-  for (const Coupling& coupling : tree.couplings) {
-    const std::vector<int> joints = joints_of(coupling);
-    roots.push_back(coupling.is_linear() ? common_joint(tree, joints) : -1);
+  for (const Bond& bond : bonds) {
+    roots.push_back(bond.may_correspond ? common_joint(tree, bond.joints) : -1);
     if (roots.back() >= 0) continue;
-    for (const int joint : joints) tie_to_nothing_else(ties, joint);
+    for (const int joint : bond.joints) tie_to_nothing_else(ties, joint);
   }
   const std::vector<int> plain = shapes_with(tree, ties, distance);
   std::map<Role, int> known;
   Ties within(tree.joints.size());
-  for (std::size_t c = 0; c < roots.size(); ++c) {
-    if (roots[c] < 0) continue;
-    const Role role = role_of(tree, tree.couplings[c], plain, roots[c]);
+  for (std::size_t b = 0; b < roots.size(); ++b) {
+    if (roots[b] < 0) continue;
+    const Role role = role_of(tree, bonds[b], plain, roots[b]);
     const int number = known.try_emplace(role, static_cast<int>(known.size())).first->second;
-    const std::vector<int> joints = joints_of(tree.couplings[c]);
+    const std::vector<int>& joints = bonds[b].joints;
     for (std::size_t k = 0; k < joints.size(); ++k)
       within[at(joints[k])].push_back(number * static_cast<int>(tree.joints.size()) + static_cast<int>(k));
   }
@@ -158,7 +198,7 @@ std::vector<int> limb_shapes(const KinematicTree& tree) {
     tie_to_nothing_else(ties, static_cast<int>(j));
     for (const int joint : joints) tie_to_nothing_else(ties, joint);
   }
-  tie_coupled_joints(tree, distance, ties);
+  tie_bound_joints(tree, distance, ties);
   return shapes_with(tree, ties, distance);
 }
 

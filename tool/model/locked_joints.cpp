@@ -100,7 +100,11 @@ class Locking {
     std::set<int> kept;
     for (std::size_t j = 0; j < named_.size(); ++j) {
       const std::string& own = description_.joints[j].name;
-      const auto is_own = [&](const NamePattern& pattern) { return matches(pattern.text, own); };
+      // An elastic joint is kept with its motor.
+      const std::string& moved = description_.joints[j].motor_of;
+      const auto is_own = [&](const NamePattern& pattern) {
+        return matches(pattern.text, own) || (!moved.empty() && matches(pattern.text, moved));
+      };
       if (std::none_of(changes_.kept.begin(), changes_.kept.end(), is_own)) continue;
       kept.insert(static_cast<int>(j));
       if (const Coupling* coupling = tree_.coupling_of(*tree_.find_joint(own)))

@@ -180,8 +180,9 @@ class Parametrisation {
       warn_unused(
           fmt::format("the dynamics does not include the {} of joints", quantity_),
           "--passive-forces (PASSIVE_FORCES in CMake) includes damping and friction");
+    add_tendons();
     for (DescribedJoint& joint : description_.joints) {
-      if (!names(joint.name)) continue;
+      if (!names_drive_of(joint)) continue;
       Drive& drive = joint.drive;
       const std::pair<const char*, Quantity*> fields[] = {
           {"damping", &drive.damping},
@@ -203,6 +204,24 @@ class Parametrisation {
     }
   }
 
+  // The inertia of the drive of an elastic joint is that of its motor.
+  bool names_drive_of(const DescribedJoint& joint) const {
+    if (!is("armature") && !is("rotor")) return names(joint.name);
+    const auto is_motor = [&](const DescribedJoint& other) { return other.motor_of == joint.name; };
+    if (std::any_of(description_.joints.begin(), description_.joints.end(), is_motor)) return false;
+    return names(joint.name) || (!joint.motor_of.empty() && names(joint.motor_of));
+  }
+
+  void add_tendons() {
+    for (DescribedTendon& tendon : description_.tendons) {
+      if (!names(tendon.name)) continue;
+      const std::pair<const char*, Quantity*> fields[] = {
+          {"damping", &tendon.damping}, {"stiffness", &tendon.stiffness}, {"rest", &tendon.rest}};
+      for (const auto& [name, value] : fields)
+        if (is(name)) make(*value, tendon.name + "_" + name, ParameterKind::inertial, tendon.place);
+    }
+  }
+
   // ---- Messages.
 
   // The elements that have the present quantity.
@@ -211,6 +230,8 @@ class Parametrisation {
     const bool is_mass = is("mass") || is("com") || is("inertia");
     const bool is_of_frames = is("placement") || is("translation") || is("rotation");
     if (!is_mass) result = names_of(description_.joints);
+    if (is("damping") || is("stiffness") || is("rest"))
+      for (const DescribedTendon& tendon : description_.tendons) result.push_back(tendon.name);
     for_each_link([&](const DescribedLink& link) {
       if (is_mass) result.push_back(link.name);
       if (is_of_frames || is("inertia"))
@@ -224,8 +245,11 @@ class Parametrisation {
     Place place = place_;
     place.span.end = place.span.begin + element_.size();
     const bool is_mass = is("mass") || is("com") || is("inertia");
+    const bool is_of_tendons =
+        !description_.tendons.empty() && (is("damping") || is("stiffness") || is("rest"));
     const std::string kind = is_mass                                                  ? "link"
                              : is("placement") || is("translation") || is("rotation") ? "joint or frame"
+                             : is_of_tendons                                          ? "joint or tendon"
                                                                                       : "joint";
     Diagnostic& error = diagnostics_.error(
         "parameter-element", place,

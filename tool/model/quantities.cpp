@@ -57,6 +57,10 @@ void visit_quantities(Description& description, const Visit& visit) {
     visit(coupling.offset);
   }
   for (DescribedLoop& loop : description.loops) visit(loop.length);
+  for (DescribedTendon& tendon : description.tendons) {
+    for (DescribedCoupling::Term& term : tendon.terms) visit(term.factor);
+    for (Quantity* q : {&tendon.stiffness, &tendon.damping, &tendon.rest}) visit(*q);
+  }
 }
 
 Quantity with_parameters(const Quantity& q, const std::vector<Quantity>& values) {

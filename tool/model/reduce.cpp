@@ -42,6 +42,7 @@ class Reduction {
       if (is_host(link)) lump_masses(link);
     for (DescribedJoint& joint : result_.joints) move_rotor(joint);
     change_couplings();
+    shorten_tendons();
     change_loops();
     remove_actuators();
     remove_elements();
@@ -228,6 +229,16 @@ class Reduction {
         if (const auto& lock = lock_of(term.joint)) coupling.offset = coupling.offset + term.factor * lock->position;
       std::erase_if(coupling.terms, [&](const auto& term) { return lock_of(term.joint).has_value(); });
     }
+  }
+
+  // What locked joints add to the length of a tendon is constant. A tendon that has no other joints exerts no force.
+  void shorten_tendons() {
+    for (DescribedTendon& tendon : result_.tendons) {
+      for (const DescribedCoupling::Term& term : tendon.terms)
+        if (const auto& lock = lock_of(term.joint)) tendon.rest = tendon.rest - term.factor * lock->position;
+      std::erase_if(tendon.terms, [&](const auto& term) { return lock_of(term.joint).has_value(); });
+    }
+    std::erase_if(result_.tendons, [](const DescribedTendon& tendon) { return tendon.terms.empty(); });
   }
 
   void change_loops() {

@@ -63,6 +63,8 @@ void expand_spherical_joints(KinematicTree& tree) {
     coupling.joint = moved[at(coupling.joint)];
     for (Coupling::Term& term : coupling.terms) term.joint = moved[at(term.joint)];
   }
+  for (Tendon& tendon : tree.tendons)
+    for (Tendon::Term& term : tendon.terms) term.joint = moved[at(term.joint)];
   for (LoopJoint& loop : tree.loops)
     for (LoopEnd& end : loop.ends)
       for (int& joint : end.joints) joint = moved[at(joint)];

@@ -89,7 +89,9 @@ class Comparison {
           of_b.size());
     for (std::size_t k = 0; k < of_a.size(); ++k)
       if (shapes_[at(of_a[k])] != shapes_[at(of_b[k])]) return difference(of_a[k], of_b[k]);
-    return fmt::format("couplings or loops tie {} or {} to other joints in different ways", name(a), name(b));
+    return fmt::format(
+        "{} tie {} or {} to other joints in different ways",
+        tree_.tendons.empty() ? "couplings or loops" : "couplings, tendons or loops", name(a), name(b));
   }
 };
 

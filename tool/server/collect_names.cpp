@@ -177,6 +177,11 @@ class RobotCollector : public Collector {
       if (loop.distance) expression(loop.distance);
     }
     for (const kinematics::Actuator& actuator : body.actuators) frames(actuator.frames);
+    for (const kinematics::Tendon& tendon : body.tendons) {
+      sum(tendon.length, body.loops, kinematics::Coupling::kNoLoop);
+      for (const ExpressionPtr& e : {tendon.stiffness, tendon.damping, tendon.rest})
+        if (e) expression(e);
+    }
     for (const kinematics::Name& joint : body.independents) add_pieces(joint.span, names_.element(scope_, joint.text));
   }
 
@@ -189,8 +194,13 @@ class RobotCollector : public Collector {
       add_pieces(coupling.joint.span, names_.element(scope_, coupling.joint.text));
     else
       member(scope_, coupling.joint.span, coupling.instance, coupling.joint.text, loops, coupling.loop, false);
-    visit_names(coupling.value, [&](const Expression& e, const Span& span) {
-      if (!e.group.empty()) return member(scope_, e.span, e.group, e.name, loops, coupling.loop, false);
+    sum(coupling.value, loops, coupling.loop);
+  }
+
+  // A sum of joint positions: names are joints, parameters, or units.
+  void sum(const ExpressionPtr& value, const std::vector<kinematics::Loop>& loops, int loop) {
+    visit_names(value, [&](const Expression& e, const Span& span) {
+      if (!e.group.empty()) return member(scope_, e.span, e.group, e.name, loops, loop, false);
       const auto pieces = names_.element(scope_, e.name);
       const bool is_joint = !pieces.empty() && !e.is_parameter && e.kind == Expression::Kind::name;
       const bool is_unit = (e.name == "rad" || e.name == "m") && !e.is_parameter && !is_of_part(e.name);

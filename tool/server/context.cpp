@@ -19,6 +19,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
                                                    "children",       "frames",
                                                    "ref_frame",      "couplings",
                                                    "loops",          "independent",
+                                                   "tendons",        "elastic",
                                                    "actuators",      "friction",
                                                    "spring",         "rotor",
                                                    "limits",         "at",
@@ -34,6 +35,7 @@ Context::Block opened(const std::vector<Token>& before, const Context& context) 
                                                    "u_joint", "planar_joint", "s_joint",   "Params"};
   const bool is_of_frames = context.block() == "frames";
   if (context.block() == "loops" && !before.empty()) return {"loop", std::string(before.back().text)};
+  if (context.block() == "tendons" && !before.empty()) return {"tendon", std::string(before.back().text)};
   if (context.block() == "actuators" && !before.empty()) return {"actuator", std::string(before.back().text)};
   if (!before.empty() && !is_of_frames && alone.contains(before.back().text))
     return {std::string(before.back().text), ""};

@@ -126,14 +126,16 @@ std::vector<Names::Piece> Names::element(const Scope& scope, std::string_view na
   const Elements& known = elements(scope);
   if (known.links.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::link, name)}};
   if (known.joints.contains(name)) return {{{0, name.size()}, symbol_in(scope, NameKind::joint, name)}};
-  // A coordinate of a joint with several coordinates, or the massless link after it.
+  // A coordinate of a joint with several coordinates, or the massless link after it; the motor of an elastic joint.
   for (const auto& [joint, declared] : known.joints) {
     if (declared == nullptr) break;  // URDFs have joints with one coordinate only
     if (name.size() <= joint.size() + 1 || !name.starts_with(joint) || name[joint.size()] != '_') continue;
     std::string_view rest = name.substr(joint.size() + 1);
     if (rest.ends_with("_link")) rest.remove_suffix(5);
+    const bool is_motor = rest == "motor" && declared->elasticity;
+    if (rest.ends_with("_motor")) rest.remove_suffix(6);
     const auto words = kinematics::coordinate_words(declared->type);
-    if (std::find(words.begin(), words.end(), rest) != words.end())
+    if (is_motor || std::find(words.begin(), words.end(), rest) != words.end())
       return {{{0, joint.size()}, symbol_in(scope, NameKind::joint, joint)}};
   }
   return in_instances(scope, name, false, depth);

@@ -32,6 +32,10 @@ class RobotCompletion {
       return;
     }
     if (block == "independent") return joints_of_all();
+    if (block == "tendon" && is_in_expression()) {
+      joints_of_all();
+      return items_.add_expression(lookup_);
+    }
     if (block == "loop" && context_.word_before("=") == "type") {
       for (const std::string_view type : language::kinematics::kLoopTypes) items_.add_word(type);
       return;

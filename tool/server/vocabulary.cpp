@@ -23,12 +23,12 @@ std::vector<BlockWords> blocks_of_robots() {
   const Words joints = {"r_joint", "p_joint", "h_joint", "c_joint", "u_joint", "planar_joint", "s_joint"};
   const Words placement = {"translation", "rotation"};
   const Words inertia = {"mass", "CoM", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz", "ref_frame"};
-  const Words drive = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
+  const Words drive = {"damping", "friction", "armature", "spring", "elastic", "rotor", "limits", "assembled"};
   const Words joint = {"id", "ref_frame"};
   return {
       {"", {"Robot", "Part", "import"}},
-      {"Robot", Words{"RobotBase", "link", "couplings", "loops", "independent", "actuators"} + joints},
-      {"Part", Words{"root", "link", "couplings", "loops", "independent", "actuators"} + joints},
+      {"Robot", Words{"RobotBase", "link", "couplings", "loops", "independent", "actuators", "tendons"} + joints},
+      {"Part", Words{"root", "link", "couplings", "loops", "independent", "actuators", "tendons"} + joints},
       {"RobotBase", {"inertia_params", "children", "frames"}},
       {"link", {"id", "inertia_params", "children", "frames"}},
       {"inertia_params", inertia},
@@ -50,6 +50,7 @@ std::vector<BlockWords> blocks_of_robots() {
       {"slide_y", drive},
       {"friction", {"force", "velocity"}},
       {"spring", {"stiffness", "rest"}},
+      {"elastic", {"stiffness", "damping"}},
       {"rotor", {"inertia", "ratio", "axis", "carrier"}},
       {"limits", {"position", "velocity", "effort"}},
       // Blocks of names.
@@ -61,6 +62,8 @@ std::vector<BlockWords> blocks_of_robots() {
       {"independent", {}},
       {"actuators", {}},
       {"actuator", {"from", "to"}},
+      {"tendons", {}},
+      {"tendon", {"length", "stiffness", "damping", "rest"}},
       {"sense", {}}};
 }
 

@@ -304,6 +304,16 @@ struct Coupling {
   double assembled = 0;   // position at which the loop is assembled, if that is not next to where the joint is drawn
 };
 
+// A spring and damper between joints. Its length is the sum of factor * q; joint j must overcome its factor times
+// stiffness * (length - rest) + damping * (rate of the length).
+struct Tendon {
+  const char* name;
+  const double* factors;  // one per joint of the table, coupled ones included
+  double stiffness;
+  double damping;
+  double rest;
+};
+
 template <class T>
 struct Table {
   const T* data;
@@ -386,6 +396,9 @@ struct Robot {
   ActuatorKernels actuator_kernels = {};
   Table<Part> parts = {nullptr, 0};
   Table<InverseKinematics> inverse_kinematics = {nullptr, 0};
+  // The same for tendons: the factors of each tendon, then its stiffness, damping and rest length.
+  void (*tendon_numbers)(const double* parameters, double* tendons) noexcept = nullptr;
+  Table<Tendon> tendons = {nullptr, 0};
 
   constexpr int dof() const { return joints.size - couplings.size; }  // elements of qd
   // Elements of q: those of qd, the scalar part of the quaternion of each spherical joint, and followers.

@@ -62,8 +62,8 @@ Declarations dynamics_declarations() {
       {"bias_forces",
        {{.name = "bias_forces",
          .summary =
-             {"Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, {passive? {has passive drives? "
-              "passive forces of drives, }}minus external forces.",
+             {"Generalised forces at zero acceleration: Coriolis, centrifugal, gravity, {has passive forces? "
+              "passive forces of drives, }minus external forces.",
               kBaseOfForces},
          .signature = {{q, qd, base_velocity}, {tau, base_wrench}, Overloads::gravity_and_external},
          .program = {bias_of_robot, Search::newton_euler}},
@@ -79,8 +79,10 @@ Declarations dynamics_declarations() {
        {{.name = "passive_forces",
          .summary = {"Joint forces that overcome damping, friction and springs of the drives: tau = b qd + f s(qd) + k "
                      "(q - q0), with s(qd) = qd / sqrt(qd^2 + v^2), which is the sign of qd if v is zero. "
+                     "{tendons? A tendon of length l, a sum of c q, adds c (k (l - rest) + d dl/dt) for each joint. }"
                      "{passive? Inverse dynamics and bias forces include them.}"
-                     "{not passive? Inverse dynamics and bias forces do not include them.}"},
+                     "{not passive? Inverse dynamics and bias forces do not include them{tendons? , except those of "
+                     "tendons}.}"},
          .signature = {{q, qd}, {tau}},
          .program = {by<passive_forces>}},
         {.name = "motor_torques",
@@ -158,8 +160,7 @@ Declarations dynamics_declarations() {
              {"Generalised momentum p = H v, for the joint-space inertia matrix H and the velocity v ({floating? base "
               "twist, }qd), and its rate without generalised forces: dp/dt = {floating? (base wrench, }tau{floating? "
               ")} + rate (De Luca and Mattone 2003).",
-              "The rate is C' v minus gravity forces{passive? {has passive drives? , minus passive forces of "
-              "drives}}, with a Coriolis matrix C for which dH/dt - 2 C is skew symmetric.",
+              "The rate is C' v minus gravity forces{has passive forces? , minus passive forces of drives}, with a Coriolis matrix C for which dH/dt - 2 C is skew symmetric.",
               "{floating? (6 + n) rows: base first, in base coordinates, angular first.}"},
          .signature = {{q, qd, base_velocity}, {value("p", velocities), value("rate", velocities)}, Overloads::gravity},
          .program = {by<generalized_momentum>, Search::newton_euler}},

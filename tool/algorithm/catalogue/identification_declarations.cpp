@@ -77,7 +77,8 @@ Declarations identification_declarations() {
          .summary =
              {"Regressor of drives: Y times drive_parameters() gives the joint forces of drives.",
               "drive_regressor_columns lists the columns. For each joint: inertia that only this joint moves, damping, "
-              "friction, spring stiffness, constant force. For each rotor on a moving link: inertia times ratio.",
+              "friction, spring stiffness, constant force. {tendons? For each tendon: stiffness, damping, constant "
+              "force. }For each rotor on a moving link: inertia times ratio.",
               kRegressorRows},
          .signature = {motion, {matrix("Y", velocities, of_drives)}},
          .program = {by<drive_regressor>},
@@ -86,7 +87,7 @@ Declarations identification_declarations() {
          .summary =
              {"The parameters of the document's drives, which the columns of drive_regressor multiply.",
               "{passive? Inverse dynamics includes all of them.}"
-              "{not passive? Inverse dynamics does not include damping, friction and springs.}"},
+              "{not passive? Inverse dynamics does not include damping, friction and springs{tendons?  of joints}.}"},
          .signature = {{}, {value("pi", of_drives)}},
          .program = {by<drive_parameters>}}}},
       {"base_regressor",

@@ -1,5 +1,7 @@
 #include "algorithm/catalogue/model_numbers.h"
 
+#include <algorithm>
+
 #include "algorithm/spatial/trace.h"
 
 namespace robcogen::algorithm {
@@ -103,6 +105,24 @@ symbolic::Program coupling_numbers(const model::KinematicTree& tree) {
   }
   trace.output("couplings", Role::value, rows, static_cast<int>(tree.couplings.size()), values);
   return trace.program("coupling_numbers");
+}
+
+symbolic::Program tendon_numbers(const model::KinematicTree& tree) {
+  Trace trace(tree);
+  const std::vector<int> joints = model::independent_joints_first(tree);
+  std::vector<Expression> values;
+  for (const model::Tendon& tendon : tree.tendons) {
+    trace.section(tendon.name, "tendon " + tendon.name);
+    for (const int joint : joints) {
+      const auto term = std::find_if(
+          tendon.terms.begin(), tendon.terms.end(), [&](const model::Tendon::Term& t) { return t.joint == joint; });
+      values.push_back(term == tendon.terms.end() ? Expression() : trace.lift(term->factor));
+    }
+    for (const Quantity* q : {&tendon.stiffness, &tendon.damping, &tendon.rest}) values.push_back(trace.lift(*q));
+  }
+  const int count = static_cast<int>(tree.tendons.size());
+  trace.output("tendons", Role::value, static_cast<int>(joints.size()) + 3, count, values);
+  return trace.program("tendon_numbers");
 }
 
 }  // namespace robcogen::algorithm

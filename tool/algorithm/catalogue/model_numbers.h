@@ -19,4 +19,8 @@ symbolic::Program model_numbers(const model::KinematicTree& tree);
 // parameters -> `couplings`: a column for each coupled joint: its factors, a row for each coordinate, then its offset.
 symbolic::Program coupling_numbers(const model::KinematicTree& tree);
 
+// The numbers of tendons, a column for each: the factors of all joints, coupled ones last, then stiffness, damping and
+// rest length.
+symbolic::Program tendon_numbers(const model::KinematicTree& tree);
+
 }  // namespace robcogen::algorithm

@@ -1,5 +1,7 @@
 #include "algorithm/dynamics/drive_derivatives.h"
 
+#include <set>
+
 #include "algorithm/dynamics/drives.h"
 #include "algorithm/spatial/couplings.h"
 #include "symbolic/derivative.h"
@@ -20,6 +22,16 @@ void add_passive(
     ForceDerivatives& d) {
   d.q[column][row] += symbolic::derivative(force, in.q[column]);
   d.qd[column][row] += symbolic::derivative(force, in.qd[column]);
+}
+
+// By joint: the joints on whose motion its passive forces depend: itself, and those on its tendons.
+std::vector<std::set<std::size_t>> joints_of_forces(const model::KinematicTree& tree) {
+  std::vector<std::set<std::size_t>> joints(tree.joints.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) joints[j].insert(j);
+  for (const model::Tendon& tendon : tree.tendons)
+    for (const model::Tendon::Term& pulled : tendon.terms)
+      for (const model::Tendon::Term& moved : tendon.terms) joints[at(pulled.joint)].insert(at(moved.joint));
+  return joints;
 }
 
 // Reduces derivatives from joints to coordinates.
@@ -48,8 +60,10 @@ void add_drives(Trace& trace, const StateInputs& in, ForceDerivatives& d, Passiv
   const std::vector<Expression> passive =
       of_drives == PassiveForces::included ? passive_forces(trace, in.q, in.qd) : std::vector<Expression>(in.qd.size());
   const bool is_coupled = !trace.tree.couplings.empty();
+  const std::vector<std::set<std::size_t>> joints = joints_of_forces(trace.tree);
   for (std::size_t j = 0; j < passive.size(); ++j) {
-    if (!is_coupled) add_passive(passive[j], base + j, in, j, d);
+    if (!is_coupled)
+      for (const std::size_t column : joints[j]) add_passive(passive[j], base + j, in, column, d);
     d.qdd[j][base + j] += drive_inertia(trace, static_cast<int>(j));
   }
   if (!is_coupled) return;

@@ -89,7 +89,7 @@ Expression friction(Trace& trace, const model::Drive& drive, const Expression& q
   return trace.lift(drive.friction) * sign;
 }
 
-// The passive forces by joint, whether the robot's dynamics use them or not.
+// The passive forces of the joints' own drives, whether the robot's dynamics use them or not.
 std::vector<Expression> forces_of_drives(
     Trace& trace,
     const std::vector<Expression>& q,
@@ -107,14 +107,44 @@ std::vector<Expression> forces_of_drives(
   return forces;
 }
 
+void add_tendons(
+    Trace& trace,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd,
+    std::vector<Expression>& forces) {
+  for (const model::Tendon& tendon : trace.tree.tendons) {
+    trace.section(tendon.name, "tendon ", ": force");
+    const TendonMotion motion = tendon_motion(trace, tendon, q, qd);
+    const Expression force = trace.lift(tendon.stiffness) * motion.stretch + trace.lift(tendon.damping) * motion.rate;
+    described("tension", tendon.name, force);
+    for (const model::Tendon::Term& term : tendon.terms) forces[at(term.joint)] += trace.lift(term.factor) * force;
+  }
+}
+
 }  // namespace
+
+TendonMotion tendon_motion(
+    Trace& trace,
+    const model::Tendon& tendon,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd) {
+  TendonMotion motion{-trace.lift(tendon.rest), Expression()};
+  for (const model::Tendon::Term& term : tendon.terms) {
+    const Expression factor = trace.lift(term.factor);
+    motion.stretch += factor * q[at(term.joint)];
+    motion.rate += factor * qd[at(term.joint)];
+  }
+  return motion;
+}
 
 std::vector<Expression> passive_forces(
     Trace& trace,
     const std::vector<Expression>& q,
     const std::vector<Expression>& qd) {
-  if (!trace.tree.uses_passive_forces) return std::vector<Expression>(qd.size());
-  return forces_of_drives(trace, q, qd);
+  std::vector<Expression> forces(qd.size());
+  if (trace.tree.uses_passive_forces) forces = forces_of_drives(trace, q, qd);
+  add_tendons(trace, q, qd, forces);
+  return forces;
 }
 
 void add_passive_forces(Trace& trace, const StateInputs& in, std::vector<Expression>& tau) {
@@ -142,7 +172,9 @@ symbolic::Program motor_torques(const model::KinematicTree& tree, const std::str
 symbolic::Program passive_forces(const model::KinematicTree& tree, const std::string& name) {
   Trace trace(tree);
   const StateInputs in(trace, {State::position, State::velocity});
-  trace.output("tau", symbolic::Role::joint_force, by_coordinate(trace, forces_of_drives(trace, in.q, in.qd)));
+  std::vector<Expression> forces = forces_of_drives(trace, in.q, in.qd);
+  add_tendons(trace, in.q, in.qd, forces);
+  trace.output("tau", symbolic::Role::joint_force, by_coordinate(trace, forces));
   return trace.program(name);
 }
 

@@ -46,9 +46,19 @@ Vector3 rotor_momentum(const TracedRobot& robot, int joint, int link);
 // s(qd) = qd / sqrt(qd^2 + v^2), with the velocity v below which the friction of this drive falls: a smooth sign.
 Expression smooth_sign(Trace& trace, const model::Drive& drive, const Expression& qd);
 
+// The length of a tendon, less its rest length, and the rate of the length, from positions and rates by joint.
+struct TendonMotion {
+  Expression stretch, rate;
+};
+TendonMotion tendon_motion(
+    Trace& trace,
+    const model::Tendon& tendon,
+    const std::vector<Expression>& q,
+    const std::vector<Expression>& qd);
+
 // The forces that the joints must overcome in their drives, by joint: b qd + f s(qd) + k (q - q0), with
-// s(qd) = qd / sqrt(qd^2 + v^2), a smooth form of Coulomb friction. Without v it is the sign of qd, zero at rest. All
-// are zero if the robot's dynamics do not use them.
+// s(qd) = qd / sqrt(qd^2 + v^2), a smooth form of Coulomb friction. Without v it is the sign of qd, zero at rest. These
+// are zero if the robot's dynamics do not use them. The forces of tendons (model/tendon.h) are always part of them.
 std::vector<Expression> passive_forces(
     Trace& trace,
     const std::vector<Expression>& q,

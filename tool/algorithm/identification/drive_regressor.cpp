@@ -96,6 +96,8 @@ std::vector<std::string> drive_parameter_names(const model::KinematicTree& tree)
   for (const int j : model::independent_joints_first(tree))
     for (const char* parameter : {"inertia", "damping", "friction", "stiffness", "force"})
       names.push_back(tree.joints[at(j)].name + "_" + parameter);
+  for (const model::Tendon& tendon : tree.tendons)
+    for (const char* parameter : {"stiffness", "damping", "force"}) names.push_back(tendon.name + "_" + parameter);
   for (const int j : moving_rotors(tree)) names.push_back(tree.joints[at(j)].name + "_rotor");
   return names;
 }
@@ -110,6 +112,12 @@ Program drive_parameters(const model::KinematicTree& tree, const std::string& na
     for (const model::Quantity* q : {&joint.drive.damping, &joint.drive.friction, &joint.drive.stiffness})
       numbers.push_back(trace.lift(*q));
     numbers.push_back(-trace.lift(joint.drive.stiffness * joint.drive.rest));
+  }
+  for (const model::Tendon& tendon : tree.tendons) {
+    trace.section(tendon.name, "tendon ", ": parameters");
+    numbers.push_back(trace.lift(tendon.stiffness));
+    numbers.push_back(trace.lift(tendon.damping));
+    numbers.push_back(-trace.lift(tendon.stiffness * tendon.rest));
   }
   for (const int j : moving_rotors(tree)) {
     const model::Rotor& rotor = *tree.joints[at(j)].drive.rotor;
@@ -133,6 +141,16 @@ Program drive_regressor(const model::KinematicTree& tree, const std::string& nam
     for (const Expression& element : {in.qdd[at(j)], in.qd[at(j)], sign, position, trace.graph.one()}) {
       columns.emplace_back(at(rows));
       columns.back()[at(first + j)] = element;
+    }
+  }
+  for (model::Tendon tendon : tree.tendons) {
+    trace.section(tendon.name, "tendon ", ": columns");
+    tendon.rest = model::Quantity();
+    const TendonMotion motion = tendon_motion(trace, tendon, in.q, in.qd);
+    for (const Expression& element : {motion.stretch, motion.rate, trace.graph.one()}) {
+      columns.emplace_back(at(rows));
+      for (const model::Tendon::Term& term : tendon.terms)
+        columns.back()[at(first + term.joint)] = trace.lift(term.factor) * element;
     }
   }
   for (RegressorColumn& column : RotorColumns(robot, in, rows).of_base(in.base_velocity, in.base_acceleration))

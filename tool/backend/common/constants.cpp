@@ -42,6 +42,8 @@ class Lists {
     for (const model::Frame& f : tree_.frames())
       lists[3].items.push_back(placed({{"name", f.name}, {"link", tree_.link_of(f)}}, tree_.placement_of(f)));
     for (const model::Limb& l : model::listed_limbs(tree_)) lists[4].items.push_back(limb(l));
+    if (!tree_.tendons.empty()) lists.push_back({"tendons", {}});
+    for (const model::Tendon& t : tree_.tendons) lists.back().items.push_back(tendon(t));
     return lists;
   }
 
@@ -102,6 +104,16 @@ class Lists {
         {"products", std::vector<double>(inertia.begin() + 3, inertia.end())}};
   }
 
+  Members tendon(const model::Tendon& t) const {
+    model::TendonNumbers n = model::tendon_numbers(tree_, t, value_);
+    return {
+        {"name", t.name},
+        {"factors", std::move(n.factors)},
+        {"stiffness", n.stiffness},
+        {"damping", n.damping},
+        {"rest", n.rest}};
+  }
+
   static Members limb(const model::Limb& l) {
     const auto indices = [](const std::vector<model::Limb::Element>& elements) {
       Record record(elements.empty() ? 0 : 1);
@@ -140,6 +152,9 @@ std::vector<std::string> describe_constants(const Library& library) {
       "frames: the link that a frame moves with, and its pose in the frame of this link.",
       "limbs: for each instance of a part in the document, the index of its first link, and the indices of its links, "
       "joints and user frames, by their names in the part."};
+  if (!tree.tendons.empty())
+    lines.push_back(
+        "tendons: springs and dampers; the length is the sum of factors * positions of joints, coupled joints last.");
   if (!tree.spherical_joints().empty())
     lines.push_back(
         "positions: the elements of q. A spherical joint has a unit quaternion, scalar part first; in joints it has "

@@ -24,7 +24,8 @@ struct ConstantList {
   std::vector<std::vector<Constant>> items;
 };
 
-// Joints, coupled joints, links, frames and limbs, in SI units. Link 0 is the base; its parent_joint is -1.
+// Joints, coupled joints, links, frames and limbs, and tendons if there are any, in SI units. Link 0 is the base; its
+// parent_joint is -1.
 std::vector<ConstantList> constants(const Library& library);
 
 // Describes the lists and their members, one text each.

@@ -79,6 +79,22 @@ class ModelTables {
     return result;
   }
 
+  // Each with a list of factors.
+  Table tendons() const {
+    std::vector<std::vector<Field>> rows;
+    std::string lists;
+    for (const model::Tendon& tendon : tree_.tendons) {
+      const std::string name = "tendon_" + std::to_string(rows.size()) + "_factors";
+      const model::TendonNumbers n = model::tendon_numbers(tree_, tendon, value_);
+      lists += numbered_list("inline constexpr double " + name + "[]", model_numbers(n.factors));
+      rows.push_back(
+          {quoted(tendon.name), name, model_number(n.stiffness), model_number(n.damping), model_number(n.rest)});
+    }
+    Table result = table("Tendon", "kTendons", rows);
+    result.definition = paragraphs({lists, result.definition});
+    return result;
+  }
+
   Table frames() const {
     std::vector<std::vector<Field>> rows;
     for (const model::Frame& f : tree_.frames()) {
@@ -339,11 +355,11 @@ struct LastField {
 // Tables that most robots do not have.
 struct RareTables {
   Table parameters, couplings, derivatives, contacts, loops, actuators, followers, actuator_kernels, parts,
-      inverse_kinematics;
+      inverse_kinematics, tendons;
 
   std::vector<const Table*> all() const {
     return {&parameters, &couplings, &derivatives,      &contacts, &loops,
-            &actuators,  &followers, &actuator_kernels, &parts,    &inverse_kinematics};
+            &actuators,  &followers, &actuator_kernels, &parts,    &inverse_kinematics, &tendons};
   }
 };
 
@@ -361,21 +377,24 @@ RareTables rare_tables(const Api& api, const ModelTables& of_model) {
       tree.followers_in_q().empty() ? none : of_model.followers(),
       tree.actuators.empty() ? Table{"", "{}"} : actuator_kernels(api),
       parts(all_callables(api)),
-      inverse_kinematics(api)};
+      inverse_kinematics(api),
+      tree.tendons.empty() ? none : of_model.tendons()};
 }
 
 std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
   const model::KinematicTree& tree = api.library->tree;
-  const auto numbers = [&](std::size_t i) {
-    return i < api.numbers.size() ? address(api.numbers[i]) : std::string("nullptr");
+  const auto numbers = [&](const std::string& what) {
+    const auto found = std::find_if(
+        api.numbers.begin(), api.numbers.end(), [&](const Callable& c) { return c.function->name == what; });
+    return found == api.numbers.end() ? std::string("nullptr") : address(*found);
   };
   const auto boolean = [](bool value) { return std::string(value ? "true" : "false"); };
   std::vector<LastField> fields = {
       {rare.parameters.reference, "parameters", kNoTable},
-      {numbers(0), "numbers of the model", "nullptr"},
+      {numbers("model_numbers"), "numbers of the model", "nullptr"},
       {boolean(api.is_parametric() && tree.has_drives()), "numbers of drives", "false"},
       {boolean(tree.uses_passive_forces || !tree.has_drives()), "passive forces", "true"},
-      {numbers(1), "numbers of couplings", "nullptr"},
+      {numbers("coupling_numbers"), "numbers of couplings", "nullptr"},
       {rare.couplings.reference, "couplings", kNoTable},
       {rare.derivatives.reference, "derivatives", kNoTable},
       {rare.contacts.reference, "contacts", kNoTable},
@@ -386,7 +405,9 @@ std::vector<LastField> last_fields(const Api& api, const RareTables& rare) {
       {rare.followers.reference, "followers", kNoTable},
       {rare.actuator_kernels.reference, "kernels of actuators", "{}"},
       {rare.parts.reference, "parts of fused functions", kNoTable},
-      {rare.inverse_kinematics.reference, "inverse kinematics", kNoTable}};
+      {rare.inverse_kinematics.reference, "inverse kinematics", kNoTable},
+      {numbers("tendon_numbers"), "numbers of tendons", "nullptr"},
+      {rare.tendons.reference, "tendons", kNoTable}};
   while (!fields.empty() && fields.back().value == fields.back().usual) fields.pop_back();
   return fields;
 }

@@ -119,6 +119,19 @@ std::string coupling_fields(const Library& library, const Items& coupled) {
          column("coupling_offsets", texts(coupled, "offset"));
 }
 
+std::string tendon_fields(const Items& tendons) {
+  std::vector<std::vector<std::string>> factors;
+  for (const Item& tendon : tendons) {
+    factors.emplace_back();
+    for (const double factor : std::get<std::vector<double>>(find(tendon, "factors")->value))
+      factors.back().push_back(number(factor));
+  }
+  std::string text = names("tendons", texts(tendons, "name")) + matrix("model.tendon_factors", factors);
+  for (const std::string member : {"stiffness", "damping", "rest"})
+    text += column("tendon_" + member, texts(tendons, member));
+  return text;
+}
+
 std::string link_fields(const Items& links) {
   return names("links", texts(links, "name")) + column("parent_joint", texts(links, "parent_joint")) +
          column("mass", texts(links, "mass")) + columns("com", links, 3, {"com"}) +
@@ -195,6 +208,10 @@ std::string print_model(const Library& library) {
     text += comment(
         "  coupled_joints: the same for joints that follow the others, with indices after those of joints; their "
         "positions are coupling_factors * q + coupling_offsets.");
+  if (!tree.tendons.empty())
+    text += comment(
+        "  tendons: springs and dampers with tendon_stiffness, tendon_damping and tendon_rest; their lengths are "
+        "tendon_factors times the positions of all joints, coupled joints last.");
   if (tree.has_closures())
     text += comment("  Joints that follow through a loop have NaN there; joint_positions computes their positions.");
   if (!library.parameters().empty())
@@ -216,6 +233,7 @@ std::string print_model(const Library& library) {
   if (has_spherical_joints) text += type_field("is_spherical", joints, "spherical");
   text += coupling_fields(library, coupled) + "\n" + link_fields(lists[2].items) + "\n" + frame_fields(lists[3].items);
   if (!limbs.empty()) text += "\n" + limb_fields(limbs);
+  if (!tree.tendons.empty()) text += "\n" + tendon_fields(lists.back().items);
   return text + "end\n";
 }
 

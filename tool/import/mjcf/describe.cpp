@@ -54,6 +54,7 @@ class Describer {
     description_.base = std::move(links_[0]);
     for (const Coupling& coupling : document_.couplings) add_couplings(coupling);
     add_tendon_couplings(document_, identifiers_, description_, diagnostics_);
+    add_tendons(document_, identifiers_, description_, diagnostics_);
     add_loops(document_, identifiers_, carried_, description_);
     return std::move(description_);
   }

@@ -30,4 +30,12 @@ void add_tendon_couplings(
     model::Description& description,
     Diagnostics& diagnostics);
 
+// Adds the fixed tendons that have springs or dampers; those of copies are repeated for each copy. Reports joints that
+// are not declared; warns about tendons that the robot has a part of only.
+void add_tendons(
+    const Document& document,
+    const Identifiers& identifiers,
+    model::Description& description,
+    Diagnostics& diagnostics);
+
 }  // namespace robcogen::import::from_mjcf

@@ -61,12 +61,13 @@ struct Joint {
   std::array<Number, 3> pos;  // in this frame
   std::array<Number, 3> axis;
   Number reference;  // of hinges and slides: the position in which the bodies have the poses of the file
+  Number spring_reference;  // of hinges and slides: the position in which MuJoCo measures springs
   model::JointLimits limits;
   model::Drive drive;
   model::DrivePlaces places;
   std::optional<SpringDamper> spring_damper;
   model::Quantity added_damping;  // by actuators
-  bool is_pulled = false;         // by an actuator, or by one of a tendon
+  bool is_pulled = false;         // by an actuator, by one of a tendon, or by the spring of a tendon
   std::vector<double> key;        // its position in the first `key`: a number, or a quaternion; empty if there is none
 };
 
@@ -144,7 +145,13 @@ struct Tendon {
   Kind kind = Kind::winding;
   std::vector<Term> terms;    // of a fixed tendon
   std::array<Name, 2> sites;  // of a straight one
-  bool is_used = false;       // by a coupling, a loop or a cylinder
+  bool is_used = false;       // by a coupling, a loop or a cylinder, or for its force
+  // Of a fixed tendon: those of its spring and damper.
+  Number stiffness, damping;
+  std::optional<Number> rest;  // absent: its length where the joints are at their spring references
+  Place stiffness_place, damping_place;
+
+  bool has_force() const { return !stiffness.is_zero() || !damping.is_zero(); }
 };
 
 // The sum of factor (q - q0) over joints equals the offset, where q0 are their reference positions.

@@ -61,9 +61,9 @@ constexpr Row kRows[] = {
     {"equality/joint", "active class joint1 joint2 name polycoef", "solimp solref", ""},
     {"equality/tendon", "active class name polycoef tendon1 tendon2", "solimp solref", ""},
     {"tendons", "", "", "spatial fixed"},
-    {"tendon", "armature class damping frictionloss name stiffness",
+    {"tendon", "armature class damping frictionloss name springlength stiffness",
      "actuatorfrclimited actuatorfrcrange group limited margin material range rgba solimpfriction solimplimit "
-     "solreffriction solreflimit springlength user width",
+     "solreffriction solreflimit user width",
      "site geom pulley joint"},
     {"actuators", "", "",
      "general motor position velocity intvelocity orientation pid damper cylinder muscle adhesion dcmotor plugin"},

@@ -38,6 +38,7 @@ class JointReader {
     joint_.type = is_hinge_ ? model::JointType::revolute : model::JointType::prismatic;
     read_axis();
     joint_.reference = position("ref");
+    joint_.spring_reference = position("springref");
     read_drive();
     read_limits();
     return joint_;
@@ -85,19 +86,9 @@ class JointReader {
     if (const Attribute* found = find(element_, attribute)) place = found->place;
   }
 
-  // In MuJoCo, up to three coefficients make a polynomial.
   void read_coefficient(const char* attribute, model::Quantity& value, Place& place) {
-    const Attribute* found = find(element_, attribute);
-    if (found == nullptr) return;
-    place = found->place;
-    const std::vector<Number> n = values_.numbers(*found, 1, 3);
-    value = quantity(n[0]);
-    if (std::all_of(n.begin() + 1, n.end(), [](const Number& x) { return x.is_zero(); })) return;
-    diagnostics_
-        .error(
-            "unsupported-attribute", found->place,
-            fmt::format("this '{}' is a polynomial, which is not supported", attribute))
-        .hint = "write one number, for a linear force";
+    value = quantity(linear_coefficient(element_, attribute, diagnostics_));
+    if (const Attribute* found = find(element_, attribute)) place = found->place;
   }
 
   void read_drive() {
@@ -106,7 +97,7 @@ class JointReader {
     read_value("armature", joint_.drive.armature, joint_.places.armature);
     read_coefficient("stiffness", joint_.drive.stiffness, joint_.places.stiffness);
     if (!joint_.drive.stiffness.is_zero() || find(element_, "springdamper") != nullptr)
-      joint_.drive.rest = quantity(position("springref"));
+      joint_.drive.rest = quantity(joint_.spring_reference);
     if (const Attribute* rest = find(element_, "springref")) joint_.places.rest = rest->place;
     const Attribute* damper = find(element_, "springdamper");
     if (damper == nullptr) return;

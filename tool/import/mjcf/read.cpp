@@ -21,7 +21,7 @@ void ignore_section(const Element& section, Document& document) {
       ++document.ignored[section.name + "/" + child.name];
 }
 
-// Warns once about forces of tendons.
+// Warns once about forces of tendons that are not read.
 void check_tendons(
     const Element& section,
     const Settings& settings,
@@ -35,7 +35,8 @@ void check_tendons(
     for (const char* name : {"stiffness", "damping", "armature", "frictionloss"}) {
       const Attribute* found = find(tendon, name);
       const bool is_off = std::string(name) == "frictionloss" && !settings.has_friction();
-      if (found == nullptr || is_off || !has_nonzero(*found, diagnostics)) continue;
+      const bool is_read = given.name == "fixed" && (std::string(name) == "stiffness" || std::string(name) == "damping");
+      if (found == nullptr || is_off || is_read || !has_nonzero(*found, diagnostics)) continue;
       if (count++ == 0) first = found->place;
       break;
     }
@@ -44,8 +45,8 @@ void check_tendons(
   diagnostics.warning(
       "tendon-forces", first,
       fmt::format(
-          "springs, damping, armature and friction of tendons are ignored, and the bodies move without them: {} "
-          "tendon{}",
+          "armature and friction of tendons, and springs and damping of those that are not fixed, are ignored, and "
+          "the bodies move without them: {} tendon{}",
           count, count == 1 ? "" : "s"));
 }
 
@@ -106,7 +107,7 @@ Document read_document(
   read_shapes(document, options.shapes, context);
   align_free_body(document, settings, diagnostics);
   for (const Element& section : root.children)
-    if (section.name == "tendon") read_tendons(section, document, diagnostics);
+    if (section.name == "tendon") read_tendons(section, defaults, document, diagnostics);
   for (const Element& section : root.children) {
     if (section.name == "equality") {
       read_equalities(section, settings, defaults, options, document, diagnostics);

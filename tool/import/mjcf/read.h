@@ -34,7 +34,7 @@ void read_actuators(const Element& section, const Defaults& defaults, Document& 
 void resolve_spring_dampers(Document& document, Diagnostics& diagnostics);
 
 // Appends the tendons, which other sections refer to. Lists those that nothing uses as ignored.
-void read_tendons(const Element& section, Document& document, Diagnostics& diagnostics);
+void read_tendons(const Element& section, const Defaults& defaults, Document& document, Diagnostics& diagnostics);
 void count_unused_tendons(Document& document);
 // Adds a cylinder for a straight tendon, if there is none yet. Notes that other tendons have no counterpart. Returns
 // whether the tendon has a cylinder.

@@ -12,7 +12,30 @@ namespace robcogen::import::from_mjcf {
 
 namespace {
 
-Tendon read_tendon(const Element& e, Diagnostics& diagnostics) {
+// Reads the spring and the damper of a fixed tendon.
+void read_force(const Element& e, Tendon& tendon, Diagnostics& diagnostics) {
+  const auto read = [&](const char* attribute, Number& value, Place& place) {
+    value = linear_coefficient(e, attribute, diagnostics);
+    if (const Attribute* found = find(e, attribute)) place = found->place;
+  };
+  read("stiffness", tendon.stiffness, tendon.stiffness_place);
+  read("damping", tendon.damping, tendon.damping_place);
+  const Attribute* length = find(e, "springlength");
+  if (length == nullptr || tendon.stiffness.is_zero()) return;
+  const std::vector<Number> n = Values(diagnostics).numbers(*length, 1, 2);
+  // -1 stands for the length where the joints are at their spring references.
+  if (n.front().value() != -1.0) tendon.rest = n.front();
+  if (n.size() == 1 || n[0] == n[1]) return;
+  tendon.stiffness = Number();
+  diagnostics
+      .warning(
+          "tendon-forces", length->place, "the spring of this tendon is ignored, because it is slack within a range")
+      .hint = "write one number, the length at rest";
+}
+
+Tendon read_tendon(const Element& written, const Defaults& defaults, Diagnostics& diagnostics) {
+  // A default `tendon` is that of tendons of all kinds.
+  const Element e = defaults.resolved(written, nullptr, "tendon");
   Values values(diagnostics);
   Tendon tendon;
   const Attribute* name = find(e, "name");
@@ -23,6 +46,7 @@ Tendon read_tendon(const Element& e, Diagnostics& diagnostics) {
       const Attribute* joint = child.name == "joint" ? find(child, "joint") : nullptr;
       if (joint != nullptr) tendon.terms.push_back({{joint->value, joint->place}, values.scalar(child, "coef")});
     }
+    read_force(e, tendon, diagnostics);
   } else if (e.children.size() == 2) {
     for (std::size_t i = 0; i < 2; ++i) {
       const Attribute* site = e.children[i].name == "site" ? find(e.children[i], "site") : nullptr;
@@ -59,11 +83,23 @@ std::vector<std::array<Anchor, 2>> ends_of(const Tendon& tendon, const Document&
       anchors_at_sites(document, tendon.sites[1], diagnostics));
 }
 
+void mark_pulled(const Tendon& tendon, Document& document) {
+  for (const Tendon::Term& term : tendon.terms)
+    for (Body& body : document.bodies)
+      for (Joint& joint : body.joints) joint.is_pulled = joint.is_pulled || is_named(joint, term.joint.text);
+}
+
 }  // namespace
 
-void read_tendons(const Element& section, Document& document, Diagnostics& diagnostics) {
-  for (const Element& e : section.children)
-    if (e.name == "fixed" || e.name == "spatial") document.tendons.push_back(read_tendon(e, diagnostics));
+void read_tendons(const Element& section, const Defaults& defaults, Document& document, Diagnostics& diagnostics) {
+  for (const Element& e : section.children) {
+    if (e.name != "fixed" && e.name != "spatial") continue;
+    document.tendons.push_back(read_tendon(e, defaults, diagnostics));
+    Tendon& tendon = document.tendons.back();
+    if (!tendon.has_force()) continue;
+    tendon.is_used = true;
+    mark_pulled(tendon, document);
+  }
 }
 
 // With the lengths L as drawn L0: L1 - L1_0 = a0 + a1 (L2 - L2_0) + ...
@@ -118,9 +154,7 @@ bool pull_tendon(const Element& actuator, const Attribute& name, Document& docum
         "tendon-actuator", actuator.place, fmt::format("this '{}' has no function: {}", actuator.name, reason));
   };
   if (tendon->kind == Tendon::Kind::fixed) {
-    for (const Tendon::Term& term : tendon->terms)
-      for (Body& body : document.bodies)
-        for (Joint& joint : body.joints) joint.is_pulled = joint.is_pulled || is_named(joint, term.joint.text);
+    mark_pulled(*tendon, document);
     mention(fmt::format(
         "on each joint of the fixed tendon '{}', the force times its 'coef' is part of tau", tendon->name.text));
     return false;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "import/parts/placements.h"
+#include "model/elastic_joints.h"
 
 namespace robcogen::import::parts {
 namespace {
@@ -123,9 +124,13 @@ std::string frame_name(const std::string& instance, const std::string& name) {
 
 std::vector<std::string> coordinate_names(const kinematics::Joint& joint) {
   const std::span<const std::string_view> words = kinematics::coordinate_words(joint.type);
-  if (words.empty()) return {joint.name.text};
-  std::vector<std::string> names;
+  std::vector<std::string> names, motors;
+  if (words.empty()) names.push_back(joint.name.text);
   for (const std::string_view word : words) names.push_back(joint.name.text + "_" + std::string(word));
+  if (joint.elasticity) motors.push_back(model::motor_name(joint.name.text));
+  for (const kinematics::Coordinate& coordinate : joint.coordinates)
+    if (coordinate.elasticity) motors.push_back(model::motor_name(joint.name.text + "_" + coordinate.word.text));
+  names.insert(names.end(), motors.begin(), motors.end());
   return names;
 }
 
@@ -187,6 +192,10 @@ void name_after(Assembly& assembly, const std::string& instance) {
     between_frames.name.text = element_name(instance, between_frames.name.text);
     for (kinematics::Name& frame : between_frames.frames) frame.text = frame_name(instance, frame.text);
   };
+  for (kinematics::Tendon& tendon : assembly.body.tendons) {
+    tendon.name.text = element_name(instance, tendon.name.text);
+    tendon.length = renamed(tendon.length, joints, instance);
+  }
   for (kinematics::LoopJoint& loop : assembly.body.loop_joints) rename(loop);
   for (kinematics::Actuator& actuator : assembly.body.actuators) rename(actuator);
   for (kinematics::Name& joint : assembly.body.independents) joint.text = element_name(instance, joint.text);
@@ -216,6 +225,7 @@ void append(Body& body, Body added) {
   std::move(added.couplings.begin(), added.couplings.end(), std::back_inserter(body.couplings));
   std::move(added.loop_joints.begin(), added.loop_joints.end(), std::back_inserter(body.loop_joints));
   std::move(added.actuators.begin(), added.actuators.end(), std::back_inserter(body.actuators));
+  std::move(added.tendons.begin(), added.tendons.end(), std::back_inserter(body.tendons));
   std::move(added.independents.begin(), added.independents.end(), std::back_inserter(body.independents));
 }
 

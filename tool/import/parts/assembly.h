@@ -40,7 +40,7 @@ void reflect(
 std::string element_name(const std::string& instance, const std::string& name);
 std::string frame_name(const std::string& instance, const std::string& name);
 
-// The name of the joint, or the names of its coordinates if it has several.
+// The name of the joint, or the names of its coordinates if it has several; then the names of motors.
 std::vector<std::string> coordinate_names(const kinematics::Joint& joint);
 
 // The rotors of the joint and of its coordinates.

@@ -30,7 +30,7 @@ class CouplingUnroller {
       for (std::string& name : coordinate_names(joint)) joints_.insert(std::move(name));
   }
 
-  void run(std::size_t own) {
+  void run(std::size_t own, std::size_t own_tendons) {
     for (const Loop& loop : body_.loops) check(loop);
     const std::vector<Coupling> written = std::exchange(body_.couplings, {});
     for (std::size_t begin = 0, end = 0; begin < own; begin = end) {
@@ -46,6 +46,8 @@ class CouplingUnroller {
     }
     body_.couplings.insert(body_.couplings.end(), written.begin() + static_cast<std::ptrdiff_t>(own), written.end());
     body_.loops.clear();
+    for (std::size_t i = 0; i < own_tendons; ++i)
+      body_.tendons[i].length = instantiated(body_.tendons[i].length, nullptr, nullptr);
   }
 
  private:
@@ -169,11 +171,12 @@ bool names_instances(const kinematics::Body& body) {
 void unroll_couplings(
     Assembly& assembly,
     std::size_t own,
+    std::size_t own_tendons,
     const std::vector<std::string>& instances,
     const std::shared_ptr<const Source>& source,
     Diagnostics& diagnostics) {
   if (instances.empty() && !names_instances(assembly.body)) return;
-  CouplingUnroller(assembly, instances, source, diagnostics).run(own);
+  CouplingUnroller(assembly, instances, source, diagnostics).run(own, own_tendons);
 }
 
 }  // namespace robcogen::import::parts

@@ -86,10 +86,10 @@ class Expander {
         attach(entry.document, instance, *link, *children, attached);
         instances.push_back(instance.name.text);
       }
-    const std::size_t own = assembly.body.couplings.size();
+    const std::size_t own = assembly.body.couplings.size(), own_tendons = assembly.body.tendons.size();
     append(assembly.body, std::move(attached.body));
     assembly.limbs = std::move(attached.limbs);
-    unroll_couplings(assembly, own, instances, source_, diagnostics_);
+    unroll_couplings(assembly, own, own_tendons, instances, source_, diagnostics_);
     if (entry.document == document_ && entry.part == nullptr) number_links(assembly);
     open_.pop_back();
     return assembly;

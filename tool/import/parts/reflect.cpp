@@ -7,6 +7,7 @@
 
 #include "import/parts/assembly.h"
 #include "import/parts/placements.h"
+#include "model/elastic_joints.h"
 
 namespace robcogen::import::parts {
 namespace {
@@ -88,6 +89,7 @@ class Reflection {
     }
     for (const TurningRotor& rotor : rotors_) reflect(rotor);
     for (kinematics::Coupling& coupling : assembly_.body.couplings) reflect(coupling);
+    for (kinematics::Tendon& tendon : assembly_.body.tendons) tendon.length = with_senses(tendon.length);
   }
 
   const std::map<std::string, Joint*>& joints() const { return joints_; }
@@ -140,6 +142,7 @@ class Reflection {
       const Movement& movement = movements[k];
       const int sense = movement.sense(image);
       senses_.insert({movement.joint, sense});
+      senses_.insert({model::motor_name(movement.joint), sense});
       if (words.empty()) reflect_drive(joint, movement.slides, carrier, sense);
       for (kinematics::Coordinate& coordinate : joint.coordinates)
         if (!words.empty() && coordinate.word.text == words[k])

@@ -39,6 +39,9 @@ class Rewriter {
         shift(rotor->span);
         if (rotor->carrier) shift(*rotor->carrier);
       }
+      if (joint.elasticity) shift(joint.elasticity->span);
+      for (kinematics::Coordinate& coordinate : joint.coordinates)
+        if (coordinate.elasticity) shift(coordinate.elasticity->span);
       visit_joint(joint, [&](ExpressionPtr& e) { e = rewritten(e); });
     }
     for (kinematics::LoopJoint& loop : body.loop_joints) {
@@ -48,7 +51,13 @@ class Rewriter {
     for (kinematics::Actuator& actuator : body.actuators)
       for (Name* name : {&actuator.name, &actuator.frames[0], &actuator.frames[1]}) shift(*name);
     for (Name& joint : body.independents) shift(joint);
+    for (kinematics::Tendon& tendon : body.tendons) {
+      shift(tendon.name);
+      for (ExpressionPtr* e : {&tendon.stiffness, &tendon.damping, &tendon.rest})
+        if (*e) *e = rewritten(*e);
+    }
     is_coupling_ = true;
+    for (kinematics::Tendon& tendon : body.tendons) tendon.length = rewritten(tendon.length);
     for (kinematics::Coupling& coupling : body.couplings) {
       shift(coupling.joint);
       coupling.value = rewritten(coupling.value);
@@ -64,7 +73,7 @@ class Rewriter {
   const Meanings& meanings_;
   const std::shared_ptr<const Source>& source_;
   Diagnostics& diagnostics_;
-  bool is_coupling_ = false;
+  bool is_coupling_ = false;  // or the length of a tendon: names are joints, too
 
   Span shifted(const Span& span) const { return {span.begin + shift_, span.end + shift_}; }
   void shift(Span& span) const { span = shifted(span); }
@@ -191,7 +200,8 @@ Body rewritten(
 std::set<std::string> parameters_of(const Body& body) {
   std::set<std::string> names;
   visit_body(body, [&](const ExpressionPtr& e) { add_names(*e, names); });
-  for (const kinematics::Joint& joint : body.joints) names.erase(joint.name.text);
+  for (const kinematics::Joint& joint : body.joints)
+    for (const std::string& name : coordinate_names(joint)) names.erase(name);
   return names;
 }
 

@@ -49,6 +49,10 @@ model::DescribedJoint described(
     result.drive.damping = model::Quantity(joint.dynamics->damping);
     result.drive.friction = model::Quantity(joint.dynamics->friction);
   }
+  if (const auto& spring = joint.elasticity)
+    result.elasticity = model::DescribedElasticity{
+        model::Quantity(spring->stiffness), model::Quantity(spring->damping), spring->place, spring->stiffness_place,
+        spring->damping_place};
   return result;
 }
 

@@ -76,6 +76,15 @@ struct Dynamics {
   Place armature_place;  // if it is not zero
 };
 
+// The spring and damper between a joint and its motor. URDF does not have this element; other readers ignore it.
+struct Elasticity {
+  Number stiffness;
+  Number damping;
+  Place place;
+  Place stiffness_place;
+  Place damping_place;
+};
+
 struct Joint {
   Name name;
   JointType type = JointType::fixed;
@@ -86,6 +95,7 @@ struct Joint {
   std::array<Number, 3> axis = {Number::rational(1), Number(), Number()};
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
+  std::optional<Elasticity> elasticity;
   Number armature;  // its own, and from the rotors that its transmissions turn
   std::optional<Mimic> mimic;
   std::optional<bool> is_independent;  // from the attribute

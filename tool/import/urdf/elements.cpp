@@ -41,6 +41,7 @@ constexpr Row kRows[] = {
      "armature damping friction gear_ratio rotor_inertia spring_rest spring_reference spring_stiffness stiffness", "",
      ""},
     {"mimic", "joint", "multiplier offset", "", ""},
+    {"elastic", "stiffness", "damping", "", ""},
     {"loop", "name type", "", "", ""},
     {"coupling", "name", "", "", ""},
     {"predecessor", "link", "", "", ""},

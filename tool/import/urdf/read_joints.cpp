@@ -17,7 +17,7 @@ void report_items_of_planar(const Parts& own, const Joint& joint, ElementReader&
     reader.diagnostics().error(
         "planar-mimic", reader.place(mimic->second->span),
         fmt::format("planar joint '{}' has three coordinates and cannot mimic one", joint.name.text));
-  for (const char* item : {"dynamics", "limit"})
+  for (const char* item : {"dynamics", "limit", "elastic"})
     if (const auto found = own.find(item); found != own.end())
       reader.diagnostics().warning(
           "planar-item", reader.place(found->second->span),
@@ -53,6 +53,19 @@ Mimic read_mimic(const Element& element, ElementReader& reader) {
   if (const Attribute* found = find(element, "multiplier"))
     result.multiplier = reader.numbers(*found, 1, Range::any)[0];
   if (const Attribute* found = find(element, "offset")) result.offset = reader.numbers(*found, 1, Range::any)[0];
+  return result;
+}
+
+Elasticity read_elasticity(const Element& element, ElementReader& reader) {
+  Elasticity result;
+  result.place = reader.place(element.span);
+  const auto read = [&](const Attribute* found, Number& value, Place& place) {
+    if (found == nullptr) return;
+    value = reader.numbers(*found, 1)[0];
+    place = reader.place(found->span);
+  };
+  read(reader.require(element, "stiffness"), result.stiffness, result.stiffness_place);
+  read(find(element, "damping"), result.damping, result.damping_place);
   return result;
 }
 
@@ -184,10 +197,15 @@ Joint read_joint(const Element& element, ElementReader& reader) {
       result.type_place, reader);
   if (type) result.type = *type;
   read_independent(element, result, reader);
-  const Parts own = reader.parts(element, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"});
+  const Parts own =
+      reader.parts(element, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "elastic"});
   if (const Element* parent = reader.require_part(element, own, "parent")) result.parent = reader.name(*parent, "link");
   if (const Element* child = reader.require_part(element, own, "child")) result.child = reader.name(*child, "link");
   result.origin = reader.origin(own);
+  if (const auto elastic = own.find("elastic"); type && !has_axis(result) && elastic != own.end())
+    reader.diagnostics().warning(
+        "mechanics-not-read", reader.place(elastic->second->span),
+        fmt::format("'elastic' of {} joint '{}' is left out", name_of(*type), result.name.text));
   if (!type || !has_axis(result)) return result;  // the rest does not apply to this type
   if (const auto axis = own.find("axis"); axis != own.end())
     read_axis(*axis->second, fmt::format("joint '{}'", result.name.text), result.axis, reader);
@@ -199,6 +217,8 @@ Joint read_joint(const Element& element, ElementReader& reader) {
   if (const auto mimic = own.find("mimic"); mimic != own.end()) result.mimic = read_mimic(*mimic->second, reader);
   if (const auto dynamics = own.find("dynamics"); dynamics != own.end())
     result.dynamics = read_dynamics(*dynamics->second, result, reader), result.armature = result.dynamics->armature;
+  if (const auto elastic = own.find("elastic"); elastic != own.end())
+    result.elasticity = read_elasticity(*elastic->second, reader);
   if (const auto limit = own.find("limit"); limit != own.end()) {
     result.limit = read_limit(*limit->second, result, reader);
   } else if (result.type != JointType::continuous) {

@@ -9,6 +9,7 @@
 #include "import/urdf/shapes.h"
 #include "import/xml/frame_names.h"
 #include "language/common/content.h"
+#include "model/elastic_joints.h"
 
 namespace robcogen::import {
 
@@ -101,6 +102,7 @@ std::optional<model::KinematicTree> urdf(
   note_ignored(document, diagnostics);
   model::Description description =
       describe(document, *topology, identifiers, limits, options.floating_base, options.free_mimic_joints);
+  model::add_motors(description, diagnostics);
   add_loops(document, *topology, identifiers, description, diagnostics);
   if (failed()) return std::nullopt;
   description.uses_passive_forces = options.passive_forces;

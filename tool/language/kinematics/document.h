@@ -108,6 +108,13 @@ struct Rotor {
   Span span;                    // of the keyword
 };
 
+// The spring and damper between a joint and its motor.
+struct Elasticity {
+  ExpressionPtr stiffness;  // N m/rad, N/m
+  ExpressionPtr damping;    // N m s/rad, N s/m; or null
+  Span span;                // of the keyword
+};
+
 // Limits of a joint, which must be constants. Values that are not given are absent.
 struct Limits {
   std::optional<std::array<ExpressionPtr, 2>> position;  // lower and upper; rad, m
@@ -119,6 +126,7 @@ struct Limits {
 struct DriveAndLimits {
   Drive drive;
   std::optional<Rotor> rotor;
+  std::optional<Elasticity> elasticity;
   Limits limits;
   ExpressionPtr assembled;  // position in which its loops are assembled: rad, m
 };
@@ -178,6 +186,16 @@ struct Actuator {
   std::array<Name, 2> frames;
 };
 
+// A spring and damper along a length that is a sum of joint positions, as the value of a coupling is. Values that are
+// not given are null.
+struct Tendon {
+  Name name;
+  ExpressionPtr length;     // rad or m
+  ExpressionPtr stiffness;  // N m/rad, N/m
+  ExpressionPtr damping;    // N m s/rad, N s/m
+  ExpressionPtr rest;       // rad or m
+};
+
 // The words for the types of loops. (Not inline: gcc 12 initialises an inline list at run time, clang at compile time, in
 // memory that the program must not write. A program with objects of both would crash.)
 const std::initializer_list<std::string_view> kLoopTypes = {"point", "hinge", "slider", "weld"};
@@ -194,7 +212,8 @@ struct Body {
   std::vector<LoopJoint> loop_joints;          // of all blocks, in order
   std::vector<Name> independents;              // joints that are to be independent
   std::vector<Actuator> actuators;             // of all blocks, in order
-  std::vector<std::string> loop_comments;      // before and within the blocks of these three
+  std::vector<Tendon> tendons;                 // of all blocks, in order
+  std::vector<std::string> loop_comments;      // before and within the blocks of these four
   std::vector<std::string> trailing_comments;  // before the closing brace, and after that of a robot
 };
 

@@ -55,6 +55,11 @@ bool same(const Actuator& a, const Actuator& b) {
   return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]);
 }
 
+bool same(const Tendon& a, const Tendon& b) {
+  return same(a.name, b.name) && same(a.length, b.length) && same(a.stiffness, b.stiffness) &&
+         same(a.damping, b.damping) && same(a.rest, b.rest);
+}
+
 bool same(const LoopJoint& a, const LoopJoint& b) {
   return same(a.name, b.name) && same(a.frames[0], b.frames[0]) && same(a.frames[1], b.frames[1]) &&
          same(a.type, b.type) && same(a.distance, b.distance) && same(a.branch, b.branch);
@@ -103,6 +108,11 @@ bool same(const Rotor& a, const Rotor& b) {
          (!a.carrier || a.carrier->text == b.carrier->text);
 }
 
+bool same(const std::optional<Elasticity>& a, const std::optional<Elasticity>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return same(a->stiffness, b->stiffness) && same(a->damping, b->damping);
+}
+
 bool same(const Limits& a, const Limits& b) {
   const auto same_bound = [](const ExpressionPtr& x, const ExpressionPtr& y) { return same(x, y); };
   return a.position.has_value() == b.position.has_value() &&
@@ -112,7 +122,8 @@ bool same(const Limits& a, const Limits& b) {
 
 bool same_drive_and_limits(const DriveAndLimits& a, const DriveAndLimits& b) {
   return same(a.drive, b.drive) && a.rotor.has_value() == b.rotor.has_value() &&
-         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.limits, b.limits) && same(a.assembled, b.assembled);
+         (!a.rotor || same(*a.rotor, *b.rotor)) && same(a.elasticity, b.elasticity) && same(a.limits, b.limits) &&
+         same(a.assembled, b.assembled);
 }
 
 bool same(const Coordinate& a, const Coordinate& b) {
@@ -129,7 +140,7 @@ bool same(const Body& a, const Body& b) {
   return all_same(a.links, b.links) && all_same(a.joints, b.joints) && all_same(a.couplings, b.couplings) &&
          all_same(a.loops, b.loops) && a.coupling_comments == b.coupling_comments &&
          all_same(a.loop_joints, b.loop_joints) && all_same(a.independents, b.independents) &&
-         all_same(a.actuators, b.actuators) && a.loop_comments == b.loop_comments &&
+         all_same(a.actuators, b.actuators) && all_same(a.tendons, b.tendons) && a.loop_comments == b.loop_comments &&
          a.trailing_comments == b.trailing_comments;
 }
 

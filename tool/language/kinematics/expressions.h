@@ -46,6 +46,10 @@ void visit_drive_and_limits(Owner& owner, Visit visit) {
     visit(owner.rotor->ratio);
     if (owner.rotor->axis) visit_vector(*owner.rotor->axis, visit);
   }
+  if (owner.elasticity) {
+    visit(owner.elasticity->stiffness);
+    visit_given(owner.elasticity->damping);
+  }
   if (owner.limits.position)
     for (auto& bound : *owner.limits.position) visit(bound);
   visit_given(owner.limits.velocity);
@@ -68,6 +72,9 @@ void visit_body(BodyType& body, Visit visit) {
   for (auto& coupling : body.couplings) visit(coupling.value);
   for (auto& loop : body.loop_joints)
     if (loop.distance) visit(loop.distance);
+  for (auto& tendon : body.tendons)
+    for (auto* e : {&tendon.length, &tendon.stiffness, &tendon.damping, &tendon.rest})
+      if (*e) visit(*e);
 }
 
 }  // namespace robcogen::language::kinematics

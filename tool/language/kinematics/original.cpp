@@ -36,6 +36,7 @@ class Judge {
     if (!document_.loop_joints.empty()) refuse(document_.loop_joints.front().name.span, "'loops'");
     if (!document_.independents.empty()) refuse(document_.independents.front().span, "'independent'");
     if (!document_.actuators.empty()) refuse(document_.actuators.front().name.span, "'actuators'");
+    if (!document_.tendons.empty()) refuse(document_.tendons.front().name.span, "'tendons'");
     return is_original_;
   }
 
@@ -87,6 +88,7 @@ class Judge {
     refuse_clause("friction", joint.drive.friction);
     refuse_clause("armature", joint.drive.armature);
     refuse_clause("spring", joint.drive.stiffness);
+    if (joint.elasticity) refuse(joint.elasticity->span, fmt::format("'elastic' of joint '{}'", joint.name.text));
     if (joint.rotor) refuse(joint.rotor->span, fmt::format("'rotor' of joint '{}'", joint.name.text));
     const Limits& limits = joint.limits;
     const ExpressionPtr& first = limits.position ? (*limits.position)[0] : limits.velocity;

@@ -135,6 +135,8 @@ class Parser : private BlockParser {
           loops(*this, *body_);
         } else if (at_actuators(cursor_)) {
           actuators(*this, *body_);
+        } else if (at_tendons(cursor_)) {
+          tendons(*this, *body_);
         } else if (at_independent(cursor_)) {
           independent(*this, *body_);
         } else {
@@ -158,7 +160,7 @@ class Parser : private BlockParser {
           "unknown-element", fmt::format("expected {} or '}}', found {}", quoted(kElements), describe(token)));
       std::vector<std::string> words(kElements.begin(), kElements.end());
       words.insert(words.end(), kNewElements.begin(), kNewElements.end());
-      words.insert(words.end(), {std::string(kCouplings), "loops", "independent", "actuators"});
+      words.insert(words.end(), {std::string(kCouplings), "loops", "independent", "actuators", "tendons"});
       const std::string_view joint = keyword_of_joint(token.text);
       if (!joint.empty())
         d.hint = fmt::format("did you mean '{}'?", joint);

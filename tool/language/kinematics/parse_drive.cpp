@@ -5,10 +5,31 @@ namespace {
 
 const WordList kFrictionItems = {"force", "velocity"};
 const WordList kSpringItems = {"stiffness", "rest"};
+const WordList kElasticItems = {"stiffness", "damping"};
 const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
 
-// Parses a block of two values, of which only the first is mandatory.
+// Parses a block of two values, of which only the first is mandatory. A word behind the block is one of its items, whose
+// brace is misplaced, if `at_item`.
+template <class AtItem>
+bool pair(
+    BlockParser& parser,
+    const std::string& owner,
+    const Token& word,
+    WordList items,
+    AtItem at_item,
+    ExpressionPtr& first,
+    ExpressionPtr& second) {
+  Words found;
+  const bool sound = parser.block(owner, at_item, [&] {
+    if (!parser.cursor().at_any(items)) parser.unknown_item(owner, items);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    (key.text == *items.begin() ? first : second) = parser.scalar();
+  });
+  return sound && parser.check_complete(owner, word.span, found, {*items.begin()});
+}
+
 bool pair(
     BlockParser& parser,
     const std::string& owner,
@@ -16,14 +37,8 @@ bool pair(
     WordList items,
     ExpressionPtr& first,
     ExpressionPtr& second) {
-  Words found;
-  const bool sound = parser.block(owner, items, [&] {
-    if (!parser.cursor().at_any(items)) parser.unknown_item(owner, items);
-    const Token key = parser.word(found);
-    parser.equals(key);
-    (key.text == *items.begin() ? first : second) = parser.scalar();
-  });
-  return sound && parser.check_complete(owner, word.span, found, {*items.begin()});
+  return pair(
+      parser, owner, word, items, [&] { return parser.cursor().at_any(items); }, first, second);
 }
 
 bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std::optional<Rotor>& read) {
@@ -47,6 +62,18 @@ bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std
   return sound && parser.check_complete(owner, word.span, found, {"inertia", "ratio"});
 }
 
+bool elasticity(
+    BlockParser& parser,
+    const std::string& joint,
+    const Token& word,
+    std::optional<Elasticity>& read) {
+  Elasticity& spring = read.emplace();
+  spring.span = word.span;
+  // A `damping` behind the block is that of the joint.
+  const auto at_item = [&] { return parser.cursor().at(*kElasticItems.begin()); };
+  return pair(parser, "the elasticity of " + joint, word, kElasticItems, at_item, spring.stiffness, spring.damping);
+}
+
 bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
   const std::string owner = "the limits of " + joint;
   Words found;
@@ -66,13 +93,14 @@ bool limits(BlockParser& parser, const std::string& joint, Limits& limits) {
 }  // namespace
 
 bool at_drive_item(const Cursor& cursor) {
-  return cursor.at_any({"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"});
+  return cursor.at_any({"damping", "friction", "armature", "spring", "elastic", "rotor", "limits", "assembled"});
 }
 
 bool drive_item(BlockParser& parser, const std::string& owner, const Token& word, DriveAndLimits& items) {
   Drive& drive = items.drive;
   if (word.text == "limits") return limits(parser, owner, items.limits);
   if (word.text == "rotor") return rotor(parser, owner, word, items.rotor);
+  if (word.text == "elastic") return elasticity(parser, owner, word, items.elasticity);
   if (word.text == "spring")
     return pair(parser, "the spring of " + owner, word, kSpringItems, drive.stiffness, drive.rest);
   if (word.text == "friction" && parser.cursor().at("{"))

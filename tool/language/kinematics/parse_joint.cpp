@@ -9,14 +9,15 @@ namespace robcogen::language::kinematics {
 namespace {
 
 const WordList kJointItems = {"id",     "ref_frame", "damping", "friction", "armature",
-                              "spring", "rotor",     "limits",  "assembled"};
-const WordList kHelicalItems = {"id",       "ref_frame", "pitch", "damping", "friction",
-                                "armature", "spring",    "rotor", "limits",  "assembled"};
+                              "spring", "elastic",   "rotor",   "limits",   "assembled"};
+const WordList kHelicalItems = {"id",     "ref_frame", "pitch", "damping", "friction", "armature",
+                                "spring", "elastic",   "rotor", "limits",  "assembled"};
 const WordList kJointNeeds = {"ref_frame"}, kHelicalNeeds = {"ref_frame", "pitch"};
 const WordList kCylindricalItems = {"id", "ref_frame", "slide", "turn"};
 const WordList kUniversalItems = {"id", "ref_frame", "turn_x", "turn_z"};
 const WordList kPlanarItems = {"id", "ref_frame", "slide_x", "slide_y", "turn"};
-const WordList kCoordinateItems = {"damping", "friction", "armature", "spring", "rotor", "limits", "assembled"};
+const WordList kCoordinateItems = {"damping", "friction", "armature", "spring",
+                                   "elastic", "rotor",    "limits",   "assembled"};
 
 Joint::Type type_of(std::string_view word) {
   using enum Joint::Type;

@@ -7,6 +7,12 @@ namespace {
 
 const WordList kLoopItems = {"frames", "type", "distance", "branch"};
 const WordList kActuatorItems = {"from", "to"};
+const WordList kTendonItems = {"length", "stiffness", "damping", "rest"};
+
+// Whether the cursor is at an item of an element of these blocks, rather than at an element that has the name of one.
+auto at_item(const Cursor& cursor, const WordList& items) {
+  return [&] { return cursor.at_any(items) && cursor.at("=", 1); };
+}
 
 void take_comments(BlockParser& parser, Body& body) {
   Cursor& cursor = parser.cursor();
@@ -54,7 +60,7 @@ void loop(BlockParser& parser, Body& body) {
   loop.name = parser.name("the name of a loop");
   const std::string owner = fmt::format("loop '{}'", loop.name.text);
   Words found;
-  const bool sound = parser.block(owner, kLoopItems, [&] {
+  const bool sound = parser.block(owner, at_item(cursor, kLoopItems), [&] {
     if (!cursor.at_any(kLoopItems)) parser.unknown_item(owner, kLoopItems);
     const Token key = parser.word(found);
     parser.equals(key);
@@ -86,7 +92,7 @@ void actuator(BlockParser& parser, Body& body) {
   actuator.name = parser.name("the name of an actuator");
   const std::string owner = fmt::format("actuator '{}'", actuator.name.text);
   Words found;
-  const bool is_sound = parser.block(owner, kActuatorItems, [&] {
+  const bool is_sound = parser.block(owner, at_item(parser.cursor(), kActuatorItems), [&] {
     if (!parser.cursor().at_any(kActuatorItems)) parser.unknown_item(owner, kActuatorItems);
     const Token key = parser.word(found);
     parser.equals(key);
@@ -94,6 +100,24 @@ void actuator(BlockParser& parser, Body& body) {
   });
   if (is_sound && parser.check_complete(owner, actuator.name.span, found, {"from", "to"}))
     body.actuators.push_back(std::move(actuator));
+}
+
+void tendon(BlockParser& parser, Body& body) {
+  Tendon tendon;
+  tendon.name = parser.name("the name of a tendon");
+  const std::string owner = fmt::format("tendon '{}'", tendon.name.text);
+  Words found;
+  const bool is_sound = parser.block(owner, at_item(parser.cursor(), kTendonItems), [&] {
+    if (!parser.cursor().at_any(kTendonItems)) parser.unknown_item(owner, kTendonItems);
+    const Token key = parser.word(found);
+    parser.equals(key);
+    (key.text == "length"      ? tendon.length
+     : key.text == "stiffness" ? tendon.stiffness
+     : key.text == "damping"   ? tendon.damping
+                               : tendon.rest) = parser.scalar();
+  });
+  if (is_sound && parser.check_complete(owner, tendon.name.span, found, {"length"}))
+    body.tendons.push_back(std::move(tendon));
 }
 
 // Parses a block of elements, each of which has a name and a block.
@@ -105,7 +129,7 @@ void named_blocks(BlockParser& parser, Body& body, Element element) {
       fmt::format("'{}'", word.text),
       [&] {
         return cursor.at_name() && cursor.at("{", 1) &&
-               !cursor.at_any({"couplings", "loops", "independent", "actuators"});
+               !cursor.at_any({"couplings", "loops", "independent", "actuators", "tendons"});
       },
       [&] { element(parser, body); });
   take_comments(parser, body);
@@ -121,6 +145,10 @@ bool at_actuators(const Cursor& cursor) {
   return cursor.at("actuators") && cursor.at("{", 1);
 }
 
+bool at_tendons(const Cursor& cursor) {
+  return cursor.at("tendons") && cursor.at("{", 1);
+}
+
 bool at_independent(const Cursor& cursor) {
   return cursor.at("independent") && cursor.at("{", 1);
 }
@@ -131,6 +159,10 @@ void loops(BlockParser& parser, Body& body) {
 
 void actuators(BlockParser& parser, Body& body) {
   named_blocks(parser, body, actuator);
+}
+
+void tendons(BlockParser& parser, Body& body) {
+  named_blocks(parser, body, tendon);
 }
 
 void independent(BlockParser& parser, Body& body) {

@@ -109,6 +109,11 @@ std::string rotor(const std::optional<Rotor>& r, const std::string& indent) {
          " }\n";
 }
 
+std::string elasticity(const std::optional<Elasticity>& e, const std::string& indent) {
+  if (!e) return "";
+  return indent + "elastic {" + item("stiffness", e->stiffness) + item("damping", e->damping) + " }\n";
+}
+
 std::string limits(const Limits& l, const std::string& indent) {
   std::string items;
   if (l.position) {
@@ -122,7 +127,8 @@ std::string limits(const Limits& l, const std::string& indent) {
 std::string drive_and_limits(const DriveAndLimits& owner, const std::string& indent) {
   const std::string assembled =
       owner.assembled ? indent + "assembled = " + language::print(*owner.assembled) + "\n" : "";
-  return drive(owner.drive, indent) + rotor(owner.rotor, indent) + limits(owner.limits, indent) + assembled;
+  return drive(owner.drive, indent) + rotor(owner.rotor, indent) + elasticity(owner.elasticity, indent) +
+         limits(owner.limits, indent) + assembled;
 }
 
 std::string joint(const Joint& j) {
@@ -183,6 +189,13 @@ std::string loops(const Body& b) {
     out += "    actuators {\n";
     for (const Actuator& a : b.actuators)
       out += "        " + name(a.name) + " { from = " + name(a.frames[0]) + " to = " + name(a.frames[1]) + " }\n";
+    out += "    }\n";
+  }
+  if (!b.tendons.empty()) {
+    out += "    tendons {\n";
+    for (const Tendon& t : b.tendons)
+      out += "        " + name(t.name) + " {" + item("length", t.length) + item("stiffness", t.stiffness) +
+             item("damping", t.damping) + item("rest", t.rest) + " }\n";
     out += "    }\n";
   }
   return out.empty() ? "" : "\n" + out;

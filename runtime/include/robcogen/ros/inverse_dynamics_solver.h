@@ -39,7 +39,7 @@ class InverseDynamicsSolver : public inverse_dynamics_solver::InverseDynamicsSol
   using Vector = Eigen::VectorXd;
 
   explicit InverseDynamicsSolver(const reflection::Robot& tables, const R& robot = R())
-      : tables_(tables), robot_(robot) {
+      : tables_(tables), robot_(robot), has_passive_forces_(tables.tendons.size > 0) {
     for (const reflection::Joint& joint : tables_.joints)
       has_passive_forces_ = has_passive_forces_ ||
                             (tables_.passive_forces &&
@@ -108,7 +108,8 @@ class InverseDynamicsSolver : public inverse_dynamics_solver::InverseDynamicsSol
   R robot_;
   Chain<R> chain_;
   Eigen::Vector3d gravity_ = Eigen::Vector3d::Zero();
-  bool is_initialized_ = false, has_passive_forces_ = false;
+  bool has_passive_forces_;
+  bool is_initialized_ = false;
 
   std::string message(const std::string& text) const { return "robcogen." + std::string(tables_.name) + ": " + text; }
   [[noreturn]] void refuse(const std::string& text) const {

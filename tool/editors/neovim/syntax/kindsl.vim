@@ -3,7 +3,7 @@ if exists('b:current_syntax')
   finish
 endif
 syntax keyword kindslKeyword Robot RobotBase floating link id inertia_params inertia_properties mass CoM Ix Iy Iz Ixy Ixz Iyz ref_frame children via frames translation rotation r_joint p_joint
-syntax keyword kindslWord Part actuators armature as assembled at axis base branch c_joint carrier couplings damping distance drawn effort for force friction from h_joint hinge import in independent inertia keep limits loops mirrored other pitch planar_joint point position ratio rest root rotor s_joint same sense slide slide_x slide_y slider spring stiffness to turn turn_x turn_z type u_joint velocity weld x y z
+syntax keyword kindslWord Part actuators armature as assembled at axis base branch c_joint carrier couplings damping distance drawn effort elastic for force friction from h_joint hinge import in independent inertia keep length limits loops mirrored other pitch planar_joint point position ratio rest root rotor s_joint same sense slide slide_x slide_y slider spring stiffness tendons to turn turn_x turn_z type u_joint velocity weld x y z
 syntax keyword kindslFunction sin cos tan sqrt
 syntax keyword kindslConstant PI pi Pi
 syntax match kindslNumber /\<\d\+\.\?\d*\([eE][+-]\?\d\+\)\?/

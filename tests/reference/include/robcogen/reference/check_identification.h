@@ -8,12 +8,13 @@ namespace robcogen::reference {
 
 inline constexpr Tolerance kParameter{"kParameter", 1e-14, "a product or a sum of few numbers of the document"};
 
-// The robot of a case without its drives.
+// The robot of a case without its drives and tendons.
 class Undriven {
  public:
   explicit Undriven(const Case& c) : joints_(c.robot.joints.begin(), c.robot.joints.end()), robot_(c.robot) {
     for (reflection::Joint& joint : joints_) joint.drive = {};
     robot_.joints = {joints_.data(), static_cast<int>(joints_.size())};
+    robot_.tendons = {nullptr, 0};
   }
   Undriven(const Undriven&) = delete;
   Undriven& operator=(const Undriven&) = delete;
@@ -39,7 +40,8 @@ inline Vector<Real> inertial_parameters_of(const Robot& robot) {
   return result;
 }
 
-// For each joint inertia, damping, friction, stiffness and constant force; then, for rotors on moving links, their
+// For each joint inertia, damping, friction, stiffness and constant force; for each tendon stiffness, damping and
+// constant force; then, for rotors on moving links, their
 // momentum per unit rate of the joint.
 inline Vector<Real> drive_parameters_of(const Robot& robot, bool passive) {
   std::vector<Real> numbers;
@@ -49,6 +51,10 @@ inline Vector<Real> drive_parameters_of(const Robot& robot, bool passive) {
     numbers.push_back(inertia_of<Real>(d));
     for (const double x : {d.damping, d.friction, d.stiffness}) numbers.push_back(resists * static_cast<Real>(x));
     numbers.push_back(-resists * static_cast<Real>(d.stiffness) * static_cast<Real>(d.rest));
+  }
+  for (const reflection::Tendon& tendon : robot.tendons) {
+    for (const double x : {tendon.stiffness, tendon.damping}) numbers.push_back(x);
+    numbers.push_back(-static_cast<Real>(tendon.stiffness) * static_cast<Real>(tendon.rest));
   }
   for (const reflection::Joint& joint : robot.joints)
     if (joint.drive.rotor_carrier >= first_moving_link(robot)) numbers.push_back(momentum_of_rotor<Real>(joint.drive));

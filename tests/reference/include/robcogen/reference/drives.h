@@ -122,9 +122,29 @@ Scalar friction_direction(const Scalar& qd, double velocity) {
   return qd / std::sqrt(qd * qd + Scalar(velocity) * Scalar(velocity));
 }
 
-// The forces that the joints must overcome in their drives: damping, friction, springs.
+// The forces that the joints must overcome in tendons: the gradient of stiffness (length - rest)^2 / 2 by the positions
+// of joints, and that of damping (rate of the length)^2 / 2 by their rates.
 template <class Scalar>
-Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
+Vector<Scalar> tendon_forces(const Robot& robot, const Motion<Scalar>& motion) {
+  const Vector<Scalar> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);
+  Vector<Scalar> forces(robot.joints.size);
+  for (const reflection::Tendon& tendon : robot.tendons) {
+    Scalar length(0), rate(0);
+    for (int j = 0; j < robot.joints.size; ++j) {
+      // A spherical joint has no position that a tendon could depend on.
+      if (tendon.factors[j] == 0) continue;
+      length += Scalar(tendon.factors[j]) * q(j);
+      rate += Scalar(tendon.factors[j]) * qd(j);
+    }
+    const Scalar tension = Scalar(tendon.stiffness) * (length - Scalar(tendon.rest)) + Scalar(tendon.damping) * rate;
+    for (int j = 0; j < robot.joints.size; ++j) forces(j) += Scalar(tendon.factors[j]) * tension;
+  }
+  return transpose(coupling_matrix<Scalar>(robot)) * forces;
+}
+
+// The forces that the joints must overcome in their drives: damping, friction, springs, without those of tendons.
+template <class Scalar>
+Vector<Scalar> forces_within_joints(const Robot& robot, const Motion<Scalar>& motion) {
   const Vector<Scalar> q = joint_positions(robot, motion.q), qd = joint_rates(robot, motion.qd);
   Vector<Scalar> forces(robot.joints.size);
   for (int j = 0; j < robot.joints.size; ++j) {
@@ -134,6 +154,18 @@ Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) 
                 Scalar(drive.stiffness) * (q(j) - Scalar(drive.rest));
   }
   return transpose(coupling_matrix<Scalar>(robot)) * forces;
+}
+
+// All passive forces.
+template <class Scalar>
+Vector<Scalar> passive_forces(const Robot& robot, const Motion<Scalar>& motion) {
+  return forces_within_joints(robot, motion) + tendon_forces(robot, motion);
+}
+
+// Those that inverse and forward dynamics include.
+template <class Scalar>
+Vector<Scalar> passive_forces_of_dynamics(const Robot& robot, const Motion<Scalar>& motion) {
+  return robot.passive_forces ? passive_forces(robot, motion) : tendon_forces(robot, motion);
 }
 
 }  // namespace robcogen::reference

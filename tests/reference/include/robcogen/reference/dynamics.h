@@ -145,7 +145,7 @@ Vector<Scalar> generalized_forces(const Robot& robot, const Motion<Scalar>& moti
     forces += transpose(J) * required_wrench(robot, i, links[static_cast<std::size_t>(i)], loads);
   }
   forces += forces_on_drives(robot, motion, links, poses);
-  if (loads.passive && robot.passive_forces) forces += stacked(Vector<Scalar>(6), passive_forces(robot, motion));
+  if (loads.passive) forces += stacked(Vector<Scalar>(6), passive_forces_of_dynamics(robot, motion));
   return forces;
 }
 

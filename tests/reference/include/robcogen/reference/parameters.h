@@ -37,6 +37,7 @@ class RobotOf {
     next = frames.data();
     for (reflection::Frame& frame : frames_) next = fill(fill(next, frame.translation), frame.rotation);
     fill_couplings(robot, values);
+    fill_tendons(robot, values);
     robot_.links.data = links_.data();
     robot_.joints.data = joints_.data();
     robot_.frames.data = frames_.data();
@@ -74,11 +75,26 @@ class RobotOf {
     robot_.couplings.data = couplings_.data();
   }
 
+  void fill_tendons(const Robot& robot, const std::vector<double>& values) {
+    if (robot.tendons.size == 0) return;
+    const std::size_t joints = joints_.size(), of_tendon = joints + 3;
+    tendon_numbers_.resize(of_tendon * static_cast<std::size_t>(robot.tendons.size));
+    robot.tendon_numbers(values.data(), tendon_numbers_.data());
+    const double* next = tendon_numbers_.data();
+    for (const reflection::Tendon& tendon : robot.tendons) {
+      tendons_.push_back({tendon.name, next, next[joints], next[joints + 1], next[joints + 2]});
+      next += of_tendon;
+    }
+    robot_.tendons.data = tendons_.data();
+  }
+
   std::vector<reflection::Link> links_;
   std::vector<reflection::Joint> joints_;
   std::vector<reflection::Frame> frames_;
   std::vector<double> coupling_numbers_;
   std::vector<reflection::Coupling> couplings_;
+  std::vector<double> tendon_numbers_;
+  std::vector<reflection::Tendon> tendons_;
   Robot robot_;
 };
 

@@ -32,7 +32,7 @@ inline WrenchTerms wrench_terms(
   return terms;
 }
 
-// Adds the terms of the drives, to the base and to joints.
+// Adds the terms of the drives and of tendons, to the base and to joints.
 inline void add_drive_terms(
     const Robot& robot,
     const Motion<double>& motion,
@@ -54,6 +54,13 @@ inline void add_drive_terms(
     for (int k = 0; k < 3; ++k) sums(k) += moment;
     for (const int i : supporting_joints(robot, drive.rotor_carrier))
       if (turns(robot.joints[i].type)) by_joint(i) += moment;
+  }
+  for (const reflection::Tendon& tendon : robot.tendons) {
+    double tension = std::abs(tendon.stiffness * tendon.rest);
+    for (int j = 0; j < robot.joints.size; ++j)
+      if (tendon.factors[j] != 0)
+        tension += std::abs(tendon.factors[j]) * (std::abs(tendon.stiffness * q(j)) + std::abs(tendon.damping * qd(j)));
+    for (int j = 0; j < robot.joints.size; ++j) by_joint(j) += std::abs(tendon.factors[j]) * tension;
   }
 }
 
