@@ -74,6 +74,12 @@ TYPED_TEST(ArcTangent, IsTheSameInLanes) {
     for (int i = 0; i < 8; ++i) EXPECT_LE(error_in_ulp(eight[i], sines[i], cosines[i]), kLargestError);
     arc_tangents_of<2>(sines, cosines, angles);
     for (int i = 0; i < 2; ++i) EXPECT_LE(error_in_ulp(angles[i], sines[i], cosines[i]), kLargestError);
+    // Pairs of any number.
+    const TypeParam *s = sines, *c = cosines;
+    arc_tangents_to(&angles[0], s[0], c[0], s[1], c[1], s[2], c[2], s[3], c[3], s[4], c[4], s[5], c[5], s[6], c[6]);
+    for (int i = 0; i < 7; ++i) EXPECT_LE(error_in_ulp(angles[i], sines[i], cosines[i]), kLargestError);
+    arc_tangents_to(&angles[0], s[1], c[1], s[0], c[0]);
+    for (int i = 0; i < 2; ++i) EXPECT_LE(error_in_ulp(angles[i], sines[1 - i], cosines[1 - i]), kLargestError);
   }
 }
 

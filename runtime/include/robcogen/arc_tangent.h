@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "robcogen/lanes.h"
 #include "robcogen/magnitude.h"
@@ -115,6 +116,42 @@ ROBCOGEN_INLINE void arc_tangents_of(const Scalar* sine, const Scalar* cosine, S
       angle[i] = arc_tangent(sine[i], cosine[i]);
     else
       atan2(Block::load(sine + from), Block::load(cosine + from)).store(angle + from);
+  }
+}
+
+namespace lanes {
+
+// The angles of neighbouring pairs of a sine and a cosine, from kFirst on.
+template <int kFirst, class Scalar, int... kLane>
+ROBCOGEN_INLINE void arc_tangents_to(
+    Scalar* angles,
+    const Scalar* const* pairs,
+    std::integer_sequence<int, kLane...>) noexcept {
+  using Block = Lanes<Scalar, sizeof...(kLane)>;
+  atan2(Block::of(*pairs[2 * (kFirst + kLane)]...), Block::of(*pairs[2 * (kFirst + kLane) + 1]...))
+      .store(angles + kFirst);
+}
+
+// In lanes: first as many that blocks of four remain, because the first angles of a chain are known first.
+template <int kFirst, int kCount, class Scalar>
+ROBCOGEN_INLINE void arc_tangents_from(Scalar* angles, const Scalar* const* pairs) noexcept {
+  constexpr int kSize = (kCount - kFirst) % 2 == 1 ? 1 : (kCount - kFirst) % 4 == 2 ? 2 : 4;
+  arc_tangents_to<kFirst>(angles, pairs, std::make_integer_sequence<int, kSize>());
+  if constexpr (kFirst + kSize < kCount) arc_tangents_from<kFirst + kSize, kCount>(angles, pairs);
+}
+
+}  // namespace lanes
+
+// The angles of pairs of a sine and a cosine, in this order, stored one after the other.
+template <class Scalar, class... Number>
+ROBCOGEN_INLINE void arc_tangents_to(Scalar* angles, const Number&... of_pairs) noexcept {
+  constexpr int kCount = sizeof...(Number) / 2;
+  if constexpr (std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>) {
+    const Scalar* const pairs[] = {&of_pairs...};
+    lanes::arc_tangents_from<0, kCount>(angles, pairs);
+  } else {
+    const Scalar pairs[] = {Scalar(of_pairs)...};
+    for (int i = 0; i < kCount; ++i) angles[i] = arc_tangent(pairs[2 * i], pairs[2 * i + 1]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "backend/common/angle_lines.h"
+#include "backend/common/arc_tangent_lines.h"
 #include "backend/common/arrangement.h"
 #include "backend/common/kernel_lines.h"
 #include "backend/common/store_lines.h"
@@ -60,10 +61,19 @@ class Emission {
       lines_.enter_section(i);
       Line line = backend::line(arranged_, i);
       line.names = names_in_line(arranged_, i);
+      if (op == Op::arc_tangent && place == Place::output) line.values = sine_and_cosine(i);
       lines_.add(std::move(line));
       if (place == Place::output) return;
     }
     if (dialect_.stores) stores_.add_those_of(i);
+  }
+
+  // Of an angle that is stored. The opposite angle has the opposite sine.
+  std::vector<std::string> sine_and_cosine(std::size_t i) {
+    const symbolic::Statement& s = arranged_.program.statements[i];
+    Spelling sine = spell(arranged_, s.a);
+    if (arranged_.expressions[i].negative != arranged_.stores[i].front().negative) sine.negative = !sine.negative;
+    return {backend::text(sine), lines_.text_of(s.b)};
   }
 
   void emit_load(std::size_t k) {
@@ -107,7 +117,7 @@ Kernel lower(const Program& program, const std::string& name, const Dialect& dia
   Arrangement arranged = arrange(program, dialect);
   KernelLines lines(arranged, name);
   Emission(lines).run();
-  return lines.kernel();
+  return with_arc_tangents_together(lines.kernel(), dialect);
 }
 
 std::vector<std::string> names_of(const std::vector<KernelArray>& parameters) {

@@ -35,16 +35,17 @@ struct Line {
     load_block,   // targets: the name of `count` values, whose first element is `expression`
     store_block,  // targets: the first output element that receives the lanes of `values`
     fill,         // targets: the first of `count` elements of an output that get the value
+    arc_tangents  // targets: the first of some elements of an output; values: sine and cosine of each angle, in turn
   };
   Kind kind = Kind::definition;
   std::vector<std::string> targets;
   std::string expression;
-  std::size_t count = 0;  // of sincos_of, load_block and fill
-  int width = 1;          // lanes of the defined value
-  int stride = 0;         // of blocks: distance from lane to lane
-  std::vector<std::string> values = {};
-  bool is_small = false;      // of sincos: the angle is known to be small
-  bool is_reference = false;  // of sincos: the angle is an element of reference positions
+  std::size_t count = 0;                 // of sincos_of, load_block and fill
+  int width = 1;                         // lanes of the defined value
+  int stride = 0;                        // of blocks: distance from lane to lane
+  std::vector<std::string> values = {};  // also of a store: the sine and the cosine of its angle
+  bool is_small = false;                 // of sincos: the angle is known to be small
+  bool is_reference = false;             // of sincos: the angle is an element of reference positions
   // The names that the text refers to: values of other lines, parameters, functions and types.
   std::vector<std::string> names = {};
 };
@@ -84,6 +85,9 @@ struct Dialect {
   // If at least this many elements of one input have sines and cosines, these are computed together; 0: never. The
   // sines and cosines of elements in between are computed too.
   std::size_t angles_together = 0;
+  // If at least this many arc tangents are stored in neighbouring elements of an output, they are computed together; 0:
+  // never.
+  std::size_t arc_tangents_together = 0;
   KernelLengths lengths{};  // for languages that split long kernels
   // Elements of outputs are stored as they are computed, and `results` stays empty. Otherwise each element is a name,
   // an input element or a number, and the printer puts the outputs together at the end.

@@ -77,6 +77,7 @@ const Dialect& dialect() {
     d.line_limit = kColumns - kIndentation;
     d.name_limit = 30;  // three such operands and their operators fit in one line
     d.angles_together = 4;
+    d.arc_tangents_together = 4;
     d.lengths = kLengthsOfTemplates;
     d.binds_parameters = true;
     d.literal = [](const Number& value, Texts& texts) { return literal(value.value(), texts); };
@@ -156,6 +157,11 @@ std::string text(const Line& line) {
     }
     case Line::Kind::fill:
       return concat({"robcogen::fill<", number(count), ">(&", targets[0], ", ", expression, ");"});
+    case Line::Kind::arc_tangents: {
+      std::string result = concat({kArcTangents, "(&", targets[0]});
+      for (const std::string& value : values) result += ", " + value;
+      return wrapped(result + ");", dialect().line_limit);
+    }
     case Line::Kind::store:
       break;
   }

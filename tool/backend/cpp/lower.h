@@ -18,6 +18,8 @@ using backend::SplitKernel;
 
 // The function of the runtime for arc tangents, in <robcogen/arc_tangent.h>.
 inline constexpr const char* kArcTangent = "arc_tangent";
+// For several of them, with its namespace.
+inline constexpr const char* kArcTangents = "robcogen::arc_tangents_to";
 // That for magnitudes, in <robcogen/magnitude.h>.
 inline constexpr const char* kMagnitude = "magnitude";
 

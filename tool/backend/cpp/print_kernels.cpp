@@ -367,8 +367,9 @@ std::string print_kernels(const Api& api, const std::string& group, const std::s
   if (has_lanes) headers.insert(headers.begin(), "\"robcogen/lane_blocks.h\"");
   if (solves) headers.insert(headers.begin(), "\"robcogen/column_solver.h\"");
   for (const char* function : {kMagnitude, kArcTangent}) {
-    const auto calls_it = [declared = using_declaration(function)](const std::string& text) {
-      return text.find(declared) != std::string::npos;
+    const auto calls_it = [function, declared = using_declaration(function)](const std::string& text) {
+      const bool calls_together = function == kArcTangent && text.find(kArcTangents) != std::string::npos;
+      return calls_together || text.find(declared) != std::string::npos;
     };
     if (std::any_of(cores.begin(), cores.end(), calls_it) || std::any_of(kernels.begin(), kernels.end(), calls_it))
       headers.push_back("\"robcogen/" + std::string(function) + ".h\"");
