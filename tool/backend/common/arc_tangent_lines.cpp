@@ -17,15 +17,12 @@ bool is_arc_tangent(const Line& line) {
 
 // Whether a line stores the element behind that of the line before it.
 bool follows(const Line& line, const Line& before, const Dialect& dialect) {
+  constexpr std::size_t kMost = 64;
   const std::string& last = before.targets.front();
-  std::size_t digit = last.size();
-  while (digit > 0 && (last[digit - 1] < '0' || last[digit - 1] > '9')) --digit;
-  std::size_t number = digit;
-  while (number > 0 && last[number - 1] >= '0' && last[number - 1] <= '9') --number;
-  if (number == digit || number == 0) return false;
-  const std::string array = last.substr(0, number - 1);
-  const std::size_t k = std::stoul(last.substr(number, digit - number));
-  return last == dialect.element(array, k) && line.targets.front() == dialect.element(array, k + 1);
+  const std::string array = last.substr(0, last.find('['));
+  for (std::size_t k = 0; k < kMost; ++k)
+    if (dialect.element(array, k) == last) return line.targets.front() == dialect.element(array, k + 1);
+  return false;
 }
 
 }  // namespace
