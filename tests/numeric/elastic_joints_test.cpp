@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "algorithm/dynamics/dynamics.h"
 #include "document_tree.h"
 #include "export/elastic_joints.h"
 #include "export/kinematics.h"
@@ -228,6 +232,41 @@ TEST(ElasticJoints, HaveParameters) {
   const Vector<double> q = numbers(1, 4), qd = numbers(2, 4), tau = numbers(3, 4);
   const Vector<double> expected = other.forward_dynamics(motion_of(q, qd), tau, {});
   EXPECT_LT(relative(robot.forward_dynamics(motion_of(q, qd), tau, {}), expected), kSame);
+}
+
+// ---- Loops.
+
+// The derivatives of forward dynamics hold the acceleration of the motor, which is a multiple of a sum with the force of
+// its spring.
+TEST(ElasticJoints, MayMoveLoops) {
+  std::ifstream file(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "five_bar" / "five_bar.kindsl");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::size_t joint = text.find('{', text.find("r_joint LEFT "));
+  ASSERT_NE(joint, std::string::npos);
+  text.insert(joint + 1, " armature = 0.05 elastic { stiffness = 60.0 damping = 0.2 } ");
+  const KinematicTree robot = tree_of_text(text);
+  ASSERT_EQ(robot.dof(), 3);
+  EXPECT_EQ(robot.coupling_of(*robot.find_joint("LEFT")), nullptr) << "its motor drives it";
+  constexpr auto kLoads = algorithm::Loads::standard_gravity;
+  const symbolic::Program dynamics = algorithm::forward_dynamics(
+      robot, "f", kLoads, {algorithm::ForwardDynamicsMethod::inertia_matrix, {}});
+  const symbolic::Program derivatives = algorithm::forward_dynamics_derivatives(robot, "d", kLoads);
+  symbolic::Arrays<double> at = {{"q", {0.1, -0.05, 0.2}}, {"qd", {0.3, -0.4, 0.5}}, {"tau", {0.0, 1.0, -2.0}}};
+  const symbolic::Arrays<double> found = symbolic::interpret(derivatives, at);
+  for (const auto& [input, block] : {std::pair("q", "d_q"), std::pair("qd", "d_qd")})
+    for (std::size_t column = 0; column < 3; ++column) {
+      constexpr double kStep = 1e-4;
+      const auto moved = [&](double steps) {
+        symbolic::Arrays<double> there = at;
+        there[input][column] += steps * kStep;
+        return symbolic::interpret(dynamics, there).at("qdd");
+      };
+      const std::vector<double> a = moved(2), b = moved(1), c = moved(-1), d = moved(-2);
+      for (std::size_t row = 0; row < 3; ++row) {
+        const double expected = (8 * (b[row] - c[row]) - (a[row] - d[row])) / (12 * kStep);
+        EXPECT_NEAR(found.at(block)[row + 3 * column], expected, 1e-6 * (1 + std::abs(expected))) << block << row << column;
+      }
+    }
 }
 
 // ---- Export.

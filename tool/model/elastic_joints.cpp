@@ -138,6 +138,7 @@ void add_motors(Description& description, Diagnostics& diagnostics) {
     tendon.damping_place = spring.damping_place;
     tendon.terms = {{motor.name, Quantity(1.0), spring.place}, {joint.name, Quantity(-1.0), spring.place}};
     description.tendons.push_back(std::move(tendon));
+    description.driven.push_back(joint.name);
     description.links.push_back(std::move(link));
     description.joints.push_back(std::move(motor));
   }

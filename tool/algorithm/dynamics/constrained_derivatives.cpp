@@ -204,7 +204,7 @@ Program forward_derivatives(
   const auto [a, wrenches] = constrained_motion(trace, switched, in.tau, bias, of_contacts, wanted);
   const int base = tree.floating_base ? 6 : 0, n = tree.dof(), m = switched.rows.size();
   if (base > 0) in.base_acceleration = {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
-  in.qdd = trace.by_joint("qdd", Role::joint_acceleration, {a.begin() + base, a.end()});
+  in.qdd = trace.by_joint("qdd", Role::joint_acceleration, held_apart(trace, {a.begin() + base, a.end()}));
   const ResidualDerivatives d = tree.has_closures()
                                     ? looped_residual_derivatives(robot, in, load, contacts, switched.rows, wrenches)
                                     : residual_derivatives(robot, in, load, contacts, wrenches);

@@ -10,6 +10,7 @@
 #include "algorithm/dynamics/force_derivatives.h"
 #include "algorithm/dynamics/ldl.h"
 #include "algorithm/dynamics/limb_columns.h"
+#include "algorithm/dynamics/looped_derivatives.h"
 #include "algorithm/dynamics/newton_euler.h"
 #include "algorithm/dynamics/ordered_inertia.h"
 #include "algorithm/spatial/named.h"
@@ -104,7 +105,7 @@ symbolic::Program derivatives(
   const auto [motion, H] = by_inertia_matrix(robot, in, load);
   in.base_acceleration = motion.base_acceleration;
   const LinkMotion base = base_motion(in.base_velocity, in.base_acceleration, load.gravity);
-  in.qdd = trace.by_joint("qdd", Role::joint_acceleration, motion.qdd);
+  in.qdd = trace.by_joint("qdd", Role::joint_acceleration, held_apart(trace, motion.qdd));
   Forces forces = newton_euler_forces(robot, base, in.qd, in.qdd, &load);
   if (tree.has_closures()) add_passive_forces(trace, in, forces.tau);
   ForceDerivatives d = force_derivatives(robot, in, load.gravity, forces);

@@ -111,6 +111,14 @@ Columns derivatives_by_velocities(
   return columns;
 }
 
+std::vector<Expression> held_apart(Trace& trace, const std::vector<Expression>& results) {
+  if (trace.tree.tendons.empty() || !trace.tree.has_closures()) return results;
+  const Expression two = trace.graph.constant(2.0);  // doubling and halving is exact, and a quotient does not fold
+  std::vector<Expression> apart;
+  for (const Expression& result : results) apart.push_back((two * result) / two);
+  return apart;
+}
+
 std::vector<Rate> held_accelerations(const model::KinematicTree& tree, const StateInputs& in) {
   std::vector<Rate> held;
   for (const int joint : tree.coordinates()) held.push_back({in.qdd[at(joint)], Expression()});
