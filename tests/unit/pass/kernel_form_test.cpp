@@ -81,8 +81,12 @@ TEST(KernelForm, OnlyOwnLanesHaveSmallAngles) {
   EXPECT_FALSE(kernel_form(f, {}).has_small_angles);
 }
 
+symbolic::Level level(const Program& program, const GroupTraits& group = {}) {
+  return kernel_form(test::function("dynamics", "dynamics", program), group).level;
+}
+
 bool gains(const Program& program, const GroupTraits& group = {}) {
-  return kernel_form(test::function("dynamics", "dynamics", program), group).gains_by_level;
+  return level(program, group) != symbolic::Level::baseline;
 }
 
 TEST(KernelForm, LevelsPayForSinesAndFusedProducts) {
@@ -96,6 +100,15 @@ TEST(KernelForm, LevelsPayForSinesAndFusedProducts) {
 TEST(KernelForm, LevelsDoNotPayForFunctionsOfFramesThatAreNotDefault) {
   EXPECT_FALSE(gains(fused(24), {.is_kinematics = true}));
   EXPECT_TRUE(gains(fused(24), {.is_kinematics = true, .is_default = true}));
+}
+
+TEST(KernelForm, LongKernelsGainByTheRegistersOfAvx512) {
+  EXPECT_EQ(level(fused(299)), symbolic::Level::avx2);
+  EXPECT_EQ(level(fused(300)), symbolic::Level::avx512);
+  EXPECT_EQ(level(products(300)), symbolic::Level::baseline);
+  Function f = test::function("dynamics", "dynamics", fused(600));
+  f.in_lanes = fused(150);
+  EXPECT_EQ(kernel_form(f, {}).level, symbolic::Level::avx2);
 }
 
 TEST(KernelForm, LongResultsAreComputedForSingleStates) {
