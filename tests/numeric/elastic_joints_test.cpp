@@ -99,8 +99,8 @@ TEST(ElasticJoints, FollowTheEquationsOfSpong) {
       const Vector<double> q = numbers(seed, 6), qd = numbers(seed + 100, 6), tau = numbers(seed + 200, 6);
       const Motion<double> of_links = motion_of(q.head(3), qd.head(3));
       const Matrix<double> M = reference::joint_space_inertia(tables.robot(), of_links.q);
-      const Vector<double> h = reference::bias_forces(tables.robot(), of_links, reference::loads<double>(
-          Vector<double>{0, 0, -9.81})).tau;
+      const Vector<double> h =
+          reference::bias_forces(tables.robot(), of_links, reference::loads<double>(Vector<double>{0, 0, -9.81})).tau;
       Vector<double> force(3), of_motors(3);
       for (int k = 0; k < 3; ++k) {
         const Elastic& e = kElastic[static_cast<std::size_t>(k)];
@@ -159,9 +159,11 @@ TEST(ElasticJoints, KeepTheirEnergy) {
   double most_kinetic = 0;
   for (int step = 0; step < 500; ++step) {
     runge_kutta_step(
-        1e-3, [&](const auto& at, const auto& rate) {
+        1e-3,
+        [&](const auto& at, const auto& rate) {
           return robot.forward_dynamics(motion_of(at, rate), Vector<double>(6), {});
-        }, q, qd);
+        },
+        q, qd);
     most_kinetic = std::max(most_kinetic, robot.kinetic_energy(motion_of(q, qd)));
   }
   EXPECT_GT(most_kinetic, 0.1);
@@ -183,8 +185,7 @@ void expect_same_dynamics(const KinematicTree& a, const KinematicTree& b) {
   const InterpretedRobot first(a, {}), second(b, {});
   const Vector<double> q = numbers(5, a.dof()), qd = numbers(6, a.dof()), tau = numbers(7, a.dof());
   EXPECT_LT(
-      relative(
-          first.forward_dynamics(motion_of(q, qd), tau, {}), second.forward_dynamics(motion_of(q, qd), tau, {})),
+      relative(first.forward_dynamics(motion_of(q, qd), tau, {}), second.forward_dynamics(motion_of(q, qd), tau, {})),
       kSame);
 }
 
@@ -212,8 +213,7 @@ TEST(ElasticJoints, ThatAreLockedLeaveAMotorOnASpring) {
 TEST(ElasticJoints, AreKeptWithTheirMotors) {
   model::Changes changes;
   changes.kept.push_back({"two", {}});
-  const KinematicTree tree =
-      changed(arm({"", "armature = 0.2 elastic { stiffness = 80.0 }", ""}), changes);
+  const KinematicTree tree = changed(arm({"", "armature = 0.2 elastic { stiffness = 80.0 }", ""}), changes);
   ASSERT_EQ(tree.dof(), 2);
   EXPECT_EQ(tree.joints[1].name, "two_motor");
   EXPECT_EQ(tree.tendons.size(), 1U);
@@ -236,8 +236,8 @@ TEST(ElasticJoints, HaveParameters) {
 
 // ---- Loops.
 
-// The derivatives of forward dynamics hold the acceleration of the motor, which is a multiple of a sum with the force of
-// its spring.
+// The derivatives of forward dynamics hold the acceleration of the motor, which is a multiple of a sum with the force
+// of its spring.
 TEST(ElasticJoints, MayMoveLoops) {
   std::ifstream file(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "five_bar" / "five_bar.kindsl");
   std::string text(std::istreambuf_iterator<char>(file), {});
@@ -248,8 +248,8 @@ TEST(ElasticJoints, MayMoveLoops) {
   ASSERT_EQ(robot.dof(), 3);
   EXPECT_EQ(robot.coupling_of(*robot.find_joint("LEFT")), nullptr) << "its motor drives it";
   constexpr auto kLoads = algorithm::Loads::standard_gravity;
-  const symbolic::Program dynamics = algorithm::forward_dynamics(
-      robot, "f", kLoads, {algorithm::ForwardDynamicsMethod::inertia_matrix, {}});
+  const symbolic::Program dynamics =
+      algorithm::forward_dynamics(robot, "f", kLoads, {algorithm::ForwardDynamicsMethod::inertia_matrix, {}});
   const symbolic::Program derivatives = algorithm::forward_dynamics_derivatives(robot, "d", kLoads);
   symbolic::Arrays<double> at = {{"q", {0.1, -0.05, 0.2}}, {"qd", {0.3, -0.4, 0.5}}, {"tau", {0.0, 1.0, -2.0}}};
   const symbolic::Arrays<double> found = symbolic::interpret(derivatives, at);
@@ -264,7 +264,8 @@ TEST(ElasticJoints, MayMoveLoops) {
       const std::vector<double> a = moved(2), b = moved(1), c = moved(-1), d = moved(-2);
       for (std::size_t row = 0; row < 3; ++row) {
         const double expected = (8 * (b[row] - c[row]) - (a[row] - d[row])) / (12 * kStep);
-        EXPECT_NEAR(found.at(block)[row + 3 * column], expected, 1e-6 * (1 + std::abs(expected))) << block << row << column;
+        EXPECT_NEAR(found.at(block)[row + 3 * column], expected, 1e-6 * (1 + std::abs(expected)))
+            << block << row << column;
       }
     }
 }
@@ -294,7 +295,8 @@ TEST(ElasticJoints, AreWrittenAsOneJoint) {
 TEST(ElasticJoints, WithOtherMotorsAreWrittenAsTwoJoints) {
   const std::string elastic = "armature = 0.2 elastic { stiffness = 80.0 }";
   for (const std::string more :
-       {"couplings { three = 0.1 m/rad * two_motor }", "tendons { cable { length = two_motor - one stiffness = 3.0 } }"}) {
+       {"couplings { three = 0.1 m/rad * two_motor }",
+        "tendons { cable { length = two_motor - one stiffness = 3.0 } }"}) {
     const KinematicTree robot = tree_of_text(arm({"", elastic, ""}, more));
     const std::string text = document_of(robot);
     EXPECT_NE(text.find("r_joint two_motor"), std::string::npos) << text;
@@ -306,8 +308,7 @@ TEST(ElasticJoints, BecomeRigidForDocumentsWithoutThem) {
   const KinematicTree elastic = tree_of_text(arm(texts(true), "tendons { stop { length = three  stiffness = 5.0 } }"));
   const KinematicTree rigid = exporting::with_rigid_joints(elastic);
   EXPECT_EQ(rigid.tendons.size(), 1U);
-  expect_same_dynamics(
-      rigid, tree_of_text(arm(texts(false), "tendons { stop { length = three  stiffness = 5.0 } }")));
+  expect_same_dynamics(rigid, tree_of_text(arm(texts(false), "tendons { stop { length = three  stiffness = 5.0 } }")));
 }
 
 // ---- Parts.
@@ -331,7 +332,8 @@ Robot Biped {
   std::vector<std::string> names;
   for (const model::Tendon& tendon : robot.tendons) names.push_back(tendon.name);
   EXPECT_EQ(
-      names, (std::vector<std::string>{"left_hip_elastic", "right_hip_elastic", "belt", "left_muscle", "right_muscle"}));
+      names,
+      (std::vector<std::string>{"left_hip_elastic", "right_hip_elastic", "belt", "left_muscle", "right_muscle"}));
   ASSERT_EQ(robot.joints[1].name, "left_knee");
   // left_hip left_knee right_hip right_knee left_hip_motor right_hip_motor
   const Vector<double> q{0.2, -0.4, -0.2, 0.4, 0.3, -0.3};
@@ -348,10 +350,11 @@ Robot Biped {
 
 // tau of each joint changes by its factor times k (l - rest) + d dl/dt.
 TEST(Tendons, PullAllTheirJoints) {
-  const KinematicTree with = tree_of_text(arm(
-      {"", "", ""},
-      "tendons { cable { length = 0.05 m/rad * one - 0.02 m/rad * two + 2.0 three + 0.01 stiffness = 500.0 damping = 3.0 "
-      "rest = 0.2 } }")),
+  const KinematicTree with = tree_of_text(
+                          arm({"", "", ""},
+                              "tendons { cable { length = 0.05 m/rad * one - 0.02 m/rad * two + 2.0 three + 0.01 "
+                              "stiffness = 500.0 damping = 3.0 "
+                              "rest = 0.2 } }")),
                       without = tree_of_text(arm({"", "", ""}));
   const InterpretedRobot subject(with, {});
   const reference::Tables tables = reference_tables(without);

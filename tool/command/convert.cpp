@@ -271,9 +271,8 @@ void mention_implausible(const std::string& text, const fs::path& file, Diagnost
 }
 
 std::string robot_document(const ConvertOptions& options, const Robot& robot) {
-  language::kinematics::Document document =
-      exporting::with_elastic_joints(
-          robot.tree, exporting::numbered_parents_first(robot.tree, exporting::kinematics_document(robot.tree)));
+  language::kinematics::Document document = exporting::with_elastic_joints(
+      robot.tree, exporting::numbered_parents_first(robot.tree, exporting::kinematics_document(robot.tree)));
   document.comments = origin(options);
   return language::kinematics::print(document);
 }

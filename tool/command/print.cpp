@@ -55,8 +55,7 @@ Status print_reduced(const PrintOptions& options) {
   if (!model) return wrong_input;
   require_apart_from_output(model->read);
   const model::KinematicTree& tree = model->robot()->tree;
-  write_output(
-      language::kinematics::print(exporting::with_elastic_joints(tree, exporting::kinematics_document(tree))));
+  write_output(language::kinematics::print(exporting::with_elastic_joints(tree, exporting::kinematics_document(tree))));
   return ok;
 }
 

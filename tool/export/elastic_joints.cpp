@@ -46,7 +46,8 @@ std::optional<int> spring_of(const KinematicTree& tree, int joint, int motor) {
   std::optional<int> spring;
   for (std::size_t t = 0; t < tree.tendons.size(); ++t) {
     const auto& terms = tree.tendons[t].terms;
-    if (std::none_of(terms.begin(), terms.end(), [&](const Tendon::Term& term) { return term.joint == motor; })) continue;
+    if (std::none_of(terms.begin(), terms.end(), [&](const Tendon::Term& term) { return term.joint == motor; }))
+      continue;
     if (spring || !connects(tree, tree.tendons[t], joint, motor)) return std::nullopt;
     spring = static_cast<int>(t);
   }
@@ -63,7 +64,8 @@ bool is_plain_motor(const KinematicTree& tree, const Joint& joint, int index) {
                        link.name == model::motor_link_name(joint.name) && motor.name == model::motor_name(joint.name);
   const bool has_limits = std::isfinite(motor.limits.lower) || std::isfinite(motor.limits.upper) ||
                           std::isfinite(motor.limits.velocity) || std::isfinite(joint.limits.effort);
-  const auto kind = joint.type == model::JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
+  const auto kind =
+      joint.type == model::JointType::prismatic ? model::JointType::prismatic : model::JointType::revolute;
   const auto is_term = [&](const auto& coupling) {
     return coupling.joint == index || std::any_of(coupling.terms.begin(), coupling.terms.end(), [&](const auto& term) {
              return term.joint == index;

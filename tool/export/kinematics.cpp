@@ -188,12 +188,15 @@ class Writer {
       if (slides(from.joint) != slides(term.joint)) factor = slides(from.joint) ? factor * m / rad : factor * rad / m;
       value = value + factor * Quantity::variable(2 + term.joint);
     }
-    return {{tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names_in_sums())};
+    return {
+        {tree_.joints[at(from.joint)].name, {}}, expression(value + from.offset, tree_.parameters, names_in_sums())};
   }
 
   // The length of a tendon is in m if any of its joints slides.
   kinematics::Tendon write(const model::Tendon& from) const {
-    const auto slides = [&](const model::Tendon::Term& term) { return !model::turns(tree_.joints[at(term.joint)].type); };
+    const auto slides = [&](const model::Tendon::Term& term) {
+      return !model::turns(tree_.joints[at(term.joint)].type);
+    };
     const bool is_in_metres = std::any_of(from.terms.begin(), from.terms.end(), slides);
     const Quantity rad = Quantity::variable(0), m = Quantity::variable(1);
     Quantity length;

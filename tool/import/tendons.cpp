@@ -45,8 +45,8 @@ void check_units(
               fmt::format(
                   "the length of tendon '{}' adds the term of joint '{}' in {} to that of joint '{}' in {}",
                   tendon.name.text, joint, name_of(unit), first_joint, name_of(*first)))
-          .hint = fmt::format("a factor with a unit converts it: write '0.05 m/rad * {}', for example",
-                              *turns ? joint : first_joint);
+          .hint = fmt::format(
+          "a factor with a unit converts it: write '0.05 m/rad * {}', for example", *turns ? joint : first_joint);
     return;
   }
   if (length.unit.is_said && first && length.unit != *first)

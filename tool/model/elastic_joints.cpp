@@ -58,10 +58,7 @@ std::map<std::string, Place> places_of_names(const Description& description) {
 }
 
 // Whether the names for the motor of the joint are free; reports one that is not.
-bool are_names_free(
-    const DescribedJoint& joint,
-    const std::map<std::string, Place>& taken,
-    Diagnostics& diagnostics) {
+bool are_names_free(const DescribedJoint& joint, const std::map<std::string, Place>& taken, Diagnostics& diagnostics) {
   for (const std::string& name : {motor_name(joint.name), motor_link_name(joint.name)}) {
     const auto other = taken.find(name);
     if (other == taken.end()) continue;
@@ -117,7 +114,8 @@ void add_motors(Description& description, Diagnostics& diagnostics) {
   const std::map<std::string, Links> links = links_of_joints(description);
   for (std::size_t j = 0, count = description.joints.size(); j < count; ++j) {
     DescribedJoint& joint = description.joints[j];
-    if (!joint.elasticity || !may_have_motor(joint, diagnostics) || !are_names_free(joint, taken, diagnostics)) continue;
+    if (!joint.elasticity || !may_have_motor(joint, diagnostics) || !are_names_free(joint, taken, diagnostics))
+      continue;
     const auto connected = links.find(joint.name);
     if (connected == links.end()) continue;
     const auto& [parent, child] = connected->second;

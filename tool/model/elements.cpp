@@ -181,8 +181,8 @@ CouplingNumbers coupling_numbers(const KinematicTree& tree, const Coupling& coup
 TendonNumbers tendon_numbers(const KinematicTree& tree, const Tendon& tendon, const DefaultValues& value) {
   TendonNumbers result = {{}, value(tendon.stiffness), value(tendon.damping), value(tendon.rest)};
   for (const int joint : independent_joints_first(tree)) {
-    const auto term = std::find_if(
-        tendon.terms.begin(), tendon.terms.end(), [&](const Tendon::Term& t) { return t.joint == joint; });
+    const auto term =
+        std::find_if(tendon.terms.begin(), tendon.terms.end(), [&](const Tendon::Term& t) { return t.joint == joint; });
     result.factors.push_back(term == tendon.terms.end() ? 0.0 : value(term->factor));
   }
   return result;

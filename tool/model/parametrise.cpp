@@ -245,8 +245,7 @@ class Parametrisation {
     Place place = place_;
     place.span.end = place.span.begin + element_.size();
     const bool is_mass = is("mass") || is("com") || is("inertia");
-    const bool is_of_tendons =
-        !description_.tendons.empty() && (is("damping") || is("stiffness") || is("rest"));
+    const bool is_of_tendons = !description_.tendons.empty() && (is("damping") || is("stiffness") || is("rest"));
     const std::string kind = is_mass                                                  ? "link"
                              : is("placement") || is("translation") || is("rotation") ? "joint or frame"
                              : is_of_tendons                                          ? "joint or tendon"

@@ -24,9 +24,8 @@ class Resolution {
       check_name(described, tendons);
       check_sign("stiffness", described.stiffness, described.stiffness_place, described);
       check_sign("damping", described.damping, described.damping_place, described);
-      Tendon tendon = {
-          described.name,    terms_of(described), described.stiffness,
-          described.damping, described.rest,      described.place};
+      Tendon tendon = {described.name,    terms_of(described), described.stiffness,
+                       described.damping, described.rest,      described.place};
       const bool is_sound = diagnostics_.error_count() == errors_before;
       if (is_sound && tendon.terms.empty()) {
         if (!joints_repeat_)
@@ -47,8 +46,8 @@ class Resolution {
   Diagnostics& diagnostics_;
 
   void check_name(const DescribedTendon& described, const std::vector<Tendon>& tendons) {
-    const auto same = std::find_if(
-        tendons.begin(), tendons.end(), [&](const Tendon& other) { return other.name == described.name; });
+    const auto same =
+        std::find_if(tendons.begin(), tendons.end(), [&](const Tendon& other) { return other.name == described.name; });
     if (same == tendons.end()) return;
     diagnostics_
         .error("duplicate-tendon", described.place, fmt::format("tendon '{}' is declared twice", described.name))

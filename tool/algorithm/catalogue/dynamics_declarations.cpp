@@ -160,7 +160,8 @@ Declarations dynamics_declarations() {
              {"Generalised momentum p = H v, for the joint-space inertia matrix H and the velocity v ({floating? base "
               "twist, }qd), and its rate without generalised forces: dp/dt = {floating? (base wrench, }tau{floating? "
               ")} + rate (De Luca and Mattone 2003).",
-              "The rate is C' v minus gravity forces{has passive forces? , minus passive forces of drives}, with a Coriolis matrix C for which dH/dt - 2 C is skew symmetric.",
+              "The rate is C' v minus gravity forces{has passive forces? , minus passive forces of drives}, with a "
+              "Coriolis matrix C for which dH/dt - 2 C is skew symmetric.",
               "{floating? (6 + n) rows: base first, in base coordinates, angular first.}"},
          .signature = {{q, qd, base_velocity}, {value("p", velocities), value("rate", velocities)}, Overloads::gravity},
          .program = {by<generalized_momentum>, Search::newton_euler}},

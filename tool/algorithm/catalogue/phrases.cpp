@@ -115,11 +115,13 @@ constexpr std::array kConditions = {
     std::pair<const char*, Condition>("passive", [](const Subject& s) { return s.tree.uses_passive_forces; }),
     std::pair<const char*, Condition>("not passive", [](const Subject& s) { return !s.tree.uses_passive_forces; }),
     std::pair<const char*, Condition>("tendons", [](const Subject& s) { return !s.tree.tendons.empty(); }),
-    std::pair<const char*, Condition>("has passive forces", [](const Subject& s) {
-      const auto is_passive = [](const model::Joint& joint) { return joint.drive.is_passive(); };
-      const bool of_joints = std::any_of(s.tree.joints.begin(), s.tree.joints.end(), is_passive);
-      return !s.tree.tendons.empty() || (s.tree.uses_passive_forces && of_joints);
-    }),
+    std::pair<const char*, Condition>(
+        "has passive forces",
+        [](const Subject& s) {
+          const auto is_passive = [](const model::Joint& joint) { return joint.drive.is_passive(); };
+          const bool of_joints = std::any_of(s.tree.joints.begin(), s.tree.joints.end(), is_passive);
+          return !s.tree.tendons.empty() || (s.tree.uses_passive_forces && of_joints);
+        }),
     std::pair<const char*, Condition>("couplings", has_declared_couplings),
     std::pair<const char*, Condition>("free joints", lacks_inertia_with_cut_loops)};
 

@@ -358,8 +358,8 @@ struct RareTables {
       inverse_kinematics, tendons;
 
   std::vector<const Table*> all() const {
-    return {&parameters, &couplings, &derivatives,      &contacts, &loops,
-            &actuators,  &followers, &actuator_kernels, &parts,    &inverse_kinematics, &tendons};
+    return {&parameters, &couplings,        &derivatives, &contacts,           &loops,  &actuators,
+            &followers,  &actuator_kernels, &parts,       &inverse_kinematics, &tendons};
   }
 };
 

@@ -60,7 +60,7 @@ struct Joint {
   Pose frame;                 // of the enclosing `frame` elements, in the frame of the body
   std::array<Number, 3> pos;  // in this frame
   std::array<Number, 3> axis;
-  Number reference;  // of hinges and slides: the position in which the bodies have the poses of the file
+  Number reference;         // of hinges and slides: the position in which the bodies have the poses of the file
   Number spring_reference;  // of hinges and slides: the position in which MuJoCo measures springs
   model::JointLimits limits;
   model::Drive drive;

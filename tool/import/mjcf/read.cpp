@@ -35,7 +35,8 @@ void check_tendons(
     for (const char* name : {"stiffness", "damping", "armature", "frictionloss"}) {
       const Attribute* found = find(tendon, name);
       const bool is_off = std::string(name) == "frictionloss" && !settings.has_friction();
-      const bool is_read = given.name == "fixed" && (std::string(name) == "stiffness" || std::string(name) == "damping");
+      const bool is_read =
+          given.name == "fixed" && (std::string(name) == "stiffness" || std::string(name) == "damping");
       if (found == nullptr || is_off || is_read || !has_nonzero(*found, diagnostics)) continue;
       if (count++ == 0) first = found->place;
       break;

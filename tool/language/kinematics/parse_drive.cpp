@@ -9,8 +9,8 @@ const WordList kElasticItems = {"stiffness", "damping"};
 const WordList kRotorItems = {"inertia", "ratio", "axis", "carrier"};
 const WordList kLimitItems = {"position", "velocity", "effort"};
 
-// Parses a block of two values, of which only the first is mandatory. A word behind the block is one of its items, whose
-// brace is misplaced, if `at_item`.
+// Parses a block of two values, of which only the first is mandatory. A word behind the block is one of its items,
+// whose brace is misplaced, if `at_item`.
 template <class AtItem>
 bool pair(
     BlockParser& parser,
@@ -62,11 +62,7 @@ bool rotor(BlockParser& parser, const std::string& joint, const Token& word, std
   return sound && parser.check_complete(owner, word.span, found, {"inertia", "ratio"});
 }
 
-bool elasticity(
-    BlockParser& parser,
-    const std::string& joint,
-    const Token& word,
-    std::optional<Elasticity>& read) {
+bool elasticity(BlockParser& parser, const std::string& joint, const Token& word, std::optional<Elasticity>& read) {
   Elasticity& spring = read.emplace();
   spring.span = word.span;
   // A `damping` behind the block is that of the joint.
