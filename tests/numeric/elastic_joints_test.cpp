@@ -236,17 +236,21 @@ TEST(ElasticJoints, HaveParameters) {
 
 // ---- Loops.
 
-// The derivatives of forward dynamics hold the acceleration of the motor, which is a multiple of a sum with the force
-// of its spring.
-TEST(ElasticJoints, MayMoveLoops) {
+// The text of the five-bar.
+std::string five_bar() {
   std::ifstream file(std::filesystem::path(ROBCOGEN_ROBOTS_DIR) / "five_bar" / "five_bar.kindsl");
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  const std::size_t joint = text.find('{', text.find("r_joint LEFT "));
-  ASSERT_NE(joint, std::string::npos);
-  text.insert(joint + 1, " armature = 0.05 elastic { stiffness = 60.0 damping = 0.2 } ");
-  const KinematicTree robot = tree_of_text(text);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void insert_behind(std::string& text, const std::string& place, const std::string& more) {
+  const std::size_t found = text.find(place);
+  ASSERT_NE(found, std::string::npos) << place;
+  text.insert(found + place.size(), more);
+}
+
+// Three coordinates.
+void expect_derivatives_are_differences(const KinematicTree& robot) {
   ASSERT_EQ(robot.dof(), 3);
-  EXPECT_EQ(robot.coupling_of(*robot.find_joint("LEFT")), nullptr) << "its motor drives it";
   constexpr auto kLoads = algorithm::Loads::standard_gravity;
   const symbolic::Program dynamics =
       algorithm::forward_dynamics(robot, "f", kLoads, {algorithm::ForwardDynamicsMethod::inertia_matrix, {}});
@@ -268,6 +272,28 @@ TEST(ElasticJoints, MayMoveLoops) {
             << block << row << column;
       }
     }
+}
+
+// The derivatives of forward dynamics hold the acceleration of the motor, which is a multiple of a sum with the force
+// of its spring.
+TEST(ElasticJoints, MayMoveLoops) {
+  std::string text = five_bar();
+  insert_behind(text, "r_joint LEFT        {", " armature = 0.05 elastic { stiffness = 60.0 damping = 0.2 } ");
+  const KinematicTree robot = tree_of_text(text);
+  EXPECT_EQ(robot.coupling_of(*robot.find_joint("LEFT")), nullptr) << "its motor drives it";
+  expect_derivatives_are_differences(robot);
+}
+
+// The same holds for a wheel beside a loop.
+TEST(Wheels, MayHaveDampingBesideLoops) {
+  std::string text = five_bar();
+  insert_behind(text, "right_crank via RIGHT\n", "        wheel via SPIN\n");
+  insert_behind(
+      text, "Robot FiveBar {\n",
+      "link wheel { id = 5 inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix = 0.01 Iy = 0.01 Iz = 0.02 "
+      "Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }\n"
+      "r_joint SPIN { ref_frame { translation = (0.0, 0.0, 0.3) rotation = (0.0, 0.0, 0.0) } damping = 0.5 }\n");
+  expect_derivatives_are_differences(tree_of_text(text));
 }
 
 // ---- Export.

@@ -44,6 +44,13 @@ void append(std::vector<Rate>& changes, const std::vector<Rate>& more) {
   changes.insert(changes.end(), more.begin(), more.end());
 }
 
+bool is_multiple_by_constant(Trace& trace, const Expression& e) {
+  if (e.is_constant()) return false;
+  const symbolic::Node node = trace.graph.nodes()[at(e.node())];
+  return node.kind == symbolic::Node::Kind::operation && node.op == symbolic::Op::multiply &&
+         (trace.graph.expression(node.a, false).is_constant() || trace.graph.expression(node.b, false).is_constant());
+}
+
 }  // namespace
 
 std::vector<Expression> generalized_forces(Trace& trace, const Force& base_wrench, const std::vector<Expression>& tau) {
@@ -112,10 +119,11 @@ Columns derivatives_by_velocities(
 }
 
 std::vector<Expression> held_apart(Trace& trace, const std::vector<Expression>& results) {
-  if (trace.tree.tendons.empty() || !trace.tree.has_closures()) return results;
+  if (!trace.tree.has_closures()) return results;
   const Expression two = trace.graph.constant(2.0);  // doubling and halving is exact, and a quotient does not fold
   std::vector<Expression> apart;
-  for (const Expression& result : results) apart.push_back((two * result) / two);
+  for (const Expression& result : results)
+    apart.push_back(is_multiple_by_constant(trace, result) ? (two * result) / two : result);
   return apart;
 }
 

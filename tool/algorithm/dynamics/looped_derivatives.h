@@ -36,9 +36,9 @@ std::vector<Expression> derivative_by_velocity(
     const Expression& velocity,
     std::vector<symbolic::Rate> held);
 
-// Results that are to be held constant, as expressions that do not fold with what they are computed from. (The motor of
-// an elastic joint accelerates with (tau - k s) / B, so that B times that plus k s would fold to tau.) Robots without
-// tendons keep the same expressions.
+// Results that are to be held constant, as expressions that do not fold with what they are computed from. (A wheel with
+// damping accelerates with (tau - b qd) / I, so that I times that plus b qd would fold to tau.) This concerns multiples
+// of a value by a constant: others stay the same expressions.
 std::vector<Expression> held_apart(Trace& trace, const std::vector<Expression>& results);
 
 // Holds the accelerations of coordinates and base constant, even if they are results.
