@@ -1,7 +1,7 @@
 # Builds the generator and robots with another compiler, and runs the robots' tests.
 #     COMPILER         of C++
 #     FLAGS            for all of its calls
-#     LIBRARY_SOURCES  the sources of the libraries that the generator links, if theirs are for another library of C++
+#     TOOL             a generator, if that compiler cannot build it
 #     SOURCE_DIR       the project
 #     FOLDER           for generated and compiled files
 #     REQUIRED         a missing compiler is an error, not a skipped test
@@ -9,9 +9,6 @@ cmake_minimum_required(VERSION 3.22...3.25)
 find_program(found ${COMPILER})
 if(NOT found)
   set(advice "there is no ${COMPILER}")
-elseif(LIBRARY_SOURCES AND NOT EXISTS ${LIBRARY_SOURCES})
-  message(NOTICE "skipped: there are no sources of libraries in ${LIBRARY_SOURCES} (cmake/bootstrap.sh sources FOLDER)")
-  return()
 endif()
 if(advice AND REQUIRED)
   message(FATAL_ERROR "${advice}")
@@ -26,7 +23,6 @@ function(run)
 endfunction()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/robots -B ${FOLDER} -G Ninja -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_CXX_FLAGS_RELEASE=-O1
-    -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_LIBRARY_SOURCES=${LIBRARY_SOURCES} -DROBCOGEN_UNITY_BUILD=ON
-    -DROBCOGEN_PRECOMPILE_HEADERS=ON)
+    -DROBCOGEN_SOURCE_DIR=${SOURCE_DIR} -DROBCOGEN_HOST_TOOL=${TOOL} -DROBCOGEN_UNITY_BUILD=ON -DROBCOGEN_PRECOMPILE_HEADERS=ON)
 run(${CMAKE_COMMAND} --build ${FOLDER} --parallel 2)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --output-on-failure --no-tests=error)
