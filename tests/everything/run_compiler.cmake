@@ -6,14 +6,10 @@
 #     FOLDER           for generated and compiled files
 #     REQUIRED         a missing compiler is an error, not a skipped test
 cmake_minimum_required(VERSION 3.22...3.25)
-find_program(found ${COMPILER})
-if(NOT found)
-  set(advice "there is no ${COMPILER}")
-endif()
-if(advice AND REQUIRED)
-  message(FATAL_ERROR "${advice}")
-elseif(advice)
-  message(NOTICE "skipped: ${advice}")
+include(${CMAKE_CURRENT_LIST_DIR}/requirement.cmake)
+string(REPLACE "clang++" "clang" package ${COMPILER})
+skip_without(${COMPILER} ${package})
+if(skipped)
   return()
 endif()
 

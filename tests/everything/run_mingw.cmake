@@ -4,20 +4,9 @@
 #     FOLDER      for generated and compiled files
 #     REQUIRED    a missing compiler is an error, not a skipped test
 cmake_minimum_required(VERSION 3.22...3.25)
-set(missing "")
-foreach(program x86_64-w64-mingw32-g++-posix wine)
-  find_program(found_${program} ${program})
-  if(NOT found_${program})
-    string(APPEND missing " ${program}")
-  endif()
-endforeach()
-if(missing)
-  set(advice "there is no${missing} (Debian: g++-mingw-w64-x86-64-posix, wine, wine64)")
-endif()
-if(advice AND REQUIRED)
-  message(FATAL_ERROR "${advice}")
-elseif(advice)
-  message(NOTICE "skipped: ${advice}")
+include(${CMAKE_CURRENT_LIST_DIR}/requirement.cmake)
+skip_without("x86_64-w64-mingw32-g++-posix;wine" "g++-mingw-w64-x86-64-posix, wine, wine64")
+if(skipped)
   return()
 endif()
 

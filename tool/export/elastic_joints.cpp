@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "export/expression.h"
 #include "model/elastic_joints.h"
 #include "support/index.h"
 
@@ -20,21 +19,15 @@ using model::Tendon;
 
 namespace {
 
-bool same(const KinematicTree& tree, const Quantity& a, const Quantity& b) {
-  return language::equal(*expression(a, tree.parameters), *expression(b, tree.parameters));
-}
-
-bool same(const KinematicTree& tree, const model::Placement& a, const model::Placement& b) {
-  const auto same_quantity = [&](const Quantity& x, const Quantity& y) { return same(tree, x, y); };
-  return std::equal(a.translation.begin(), a.translation.end(), b.translation.begin(), same_quantity) &&
-         std::equal(a.rotation.begin(), a.rotation.end(), b.rotation.begin(), same_quantity);
+bool are_same(const model::Placement& a, const model::Placement& b) {
+  return a.translation == b.translation && a.rotation == b.rotation;
 }
 
 // Whether the tendon has the length motor - joint.
 bool connects(const KinematicTree& tree, const Tendon& tendon, int joint, int motor) {
   const auto has = [&](int j, double factor) {
     return std::any_of(tendon.terms.begin(), tendon.terms.end(), [&](const Tendon::Term& term) {
-      return term.joint == j && same(tree, term.factor, Quantity(factor));
+      return term.joint == j && term.factor == Quantity(factor);
     });
   };
   return tendon.terms.size() == 2 && has(joint, -1.0) && has(motor, 1.0) && tendon.rest.is_zero() &&
@@ -73,7 +66,7 @@ bool is_plain_motor(const KinematicTree& tree, const Joint& joint, int index) {
   };
   return is_bare && !has_limits && !motor.drive.is_passive() && motor.drive.has_inertia() &&
          !joint.drive.has_inertia() && motor.type == kind && motor.parent == joint.parent &&
-         same(tree, motor.placement, joint.placement) &&
+         are_same(motor.placement, joint.placement) &&
          std::none_of(tree.couplings.begin(), tree.couplings.end(), is_term);
 }
 

@@ -16,13 +16,8 @@ bool is_arc_tangent(const Line& line) {
 }
 
 // Whether a line stores the element behind that of the line before it.
-bool follows(const Line& line, const Line& before, const Dialect& dialect) {
-  constexpr std::size_t kMost = 64;
-  const std::string& last = before.targets.front();
-  const std::string array = last.substr(0, last.find('['));
-  for (std::size_t k = 0; k < kMost; ++k)
-    if (dialect.element(array, k) == last) return line.targets.front() == dialect.element(array, k + 1);
-  return false;
+bool follows(const Line& line, const Line& before) {
+  return line.output == before.output && line.element == before.element + 1;
 }
 
 }  // namespace
@@ -35,7 +30,7 @@ Kernel with_arc_tangents_together(Kernel kernel, const Dialect& dialect) {
     end = i + 1;
     if (is_arc_tangent(kernel.lines[i]))
       while (end < kernel.lines.size() && is_arc_tangent(kernel.lines[end]) &&
-             follows(kernel.lines[end], kernel.lines[end - 1], dialect))
+             follows(kernel.lines[end], kernel.lines[end - 1]))
         ++end;
     Line together{Line::Kind::arc_tangents, kernel.lines[i].targets, ""};
     if (end - i < dialect.arc_tangents_together) {

@@ -61,7 +61,7 @@ class Emission {
       lines_.enter_section(i);
       Line line = backend::line(arranged_, i);
       line.names = names_in_line(arranged_, i);
-      if (op == Op::arc_tangent && place == Place::output) line.values = sine_and_cosine(i);
+      if (op == Op::arc_tangent && place == Place::output) describe_angle(i, line);
       lines_.add(std::move(line));
       if (place == Place::output) return;
     }
@@ -69,11 +69,14 @@ class Emission {
   }
 
   // Of an angle that is stored. The opposite angle has the opposite sine.
-  std::vector<std::string> sine_and_cosine(std::size_t i) {
+  void describe_angle(std::size_t i, Line& line) {
     const symbolic::Statement& s = arranged_.program.statements[i];
+    const Store& store = arranged_.stores[i].front();
     Spelling sine = spell(arranged_, s.a);
-    if (arranged_.expressions[i].negative != arranged_.stores[i].front().negative) sine.negative = !sine.negative;
-    return {backend::text(sine), lines_.text_of(s.b)};
+    if (arranged_.expressions[i].negative != store.negative) sine.negative = !sine.negative;
+    line.values = {backend::text(sine), lines_.text_of(s.b)};
+    line.output = store.output;
+    line.element = store.element;
   }
 
   void emit_load(std::size_t k) {

@@ -44,6 +44,7 @@ struct Line {
   int width = 1;                         // lanes of the defined value
   int stride = 0;                        // of blocks: distance from lane to lane
   std::vector<std::string> values = {};  // also of a store: the sine and the cosine of its angle
+  std::size_t output = 0, element = 0;   // of such a store: where the angle goes
   bool is_small = false;                 // of sincos: the angle is known to be small
   bool is_reference = false;             // of sincos: the angle is an element of reference positions
   // The names that the text refers to: values of other lines, parameters, functions and types.

@@ -120,7 +120,8 @@ Spelling literal(double value, Texts& texts) {
 }
 
 std::string text(const Line& line) {
-  const auto& [kind, targets, expression, count, width, stride, values, is_small, is_reference, names] = line;
+  const auto& [kind, targets, expression, count, width, stride, values, output, element, is_small, is_reference, names] =
+      line;
   const auto number = [](auto n) { return std::to_string(n); };
   switch (kind) {
     case Line::Kind::section:

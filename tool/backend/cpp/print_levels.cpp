@@ -36,10 +36,8 @@ std::vector<CompiledKernel> chosen(const Api& api, const std::string& group) {
 std::vector<CompiledKernel> compiled_for(const Api& api, const std::string& level, const std::string& group) {
   std::vector<CompiledKernel> result = chosen(api, group);
   if (level == api.library->levels.front()) return result;
-  std::erase_if(result, [&](const CompiledKernel& k) {
-    const auto highest = std::begin(kLevels) + static_cast<std::ptrdiff_t>(highest_level(k));
-    return std::find(std::begin(kLevels), highest + 1, level) == highest + 1;
-  });
+  const auto rank = std::find(std::begin(kLevels), std::end(kLevels), level) - std::begin(kLevels);
+  std::erase_if(result, [&](const CompiledKernel& k) { return static_cast<std::ptrdiff_t>(highest_level(k)) < rank; });
   return result;
 }
 

@@ -31,7 +31,7 @@ bool has_orientation(const Element& element);
 // Whether one of the coefficients of a force, one to three numbers, is not zero. Reports malformed values.
 bool has_nonzero(const Attribute& attribute, Diagnostics& diagnostics);
 
-// Returns such a force that is linear: one number, zero if there is no attribute. Reports a polynomial.
+// Returns the coefficient of such a force if it is linear, and zero if the attribute is missing. Reports a polynomial.
 Number linear_coefficient(const Element& element, const char* attribute, Diagnostics& diagnostics);
 
 }  // namespace robcogen::import::from_mjcf

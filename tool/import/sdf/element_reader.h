@@ -33,7 +33,7 @@ class ElementReader {
   static Name reference(const Element& element, const char* attribute);
   static Name reference(const Element& element);
 
-  // Reads the text of a child; `otherwise` if there is no such child, or, with a warning, if it is empty.
+  // Reads the text of a child. Returns `otherwise` if the child is missing, or, with a warning, if it is empty.
   bool flag(const Element& element, const char* child, bool otherwise) const;
   Number number(const Element& element, const char* child, const Number& otherwise = Number());
   // As above; infinite values are allowed, and those from 1e9 on are infinite.

@@ -1,0 +1,17 @@
+# skip_without(programs packages): sets `skipped` in the caller if one of the programs is missing, and says so; an error if
+# REQUIRED is set. `packages` are the names of Debian.
+function(skip_without programs packages)
+  set(missing "")
+  foreach(program IN LISTS programs)
+    find_program(found_${program} ${program})
+    if(NOT found_${program})
+      string(APPEND missing " ${program}")
+    endif()
+  endforeach()
+  if(missing AND REQUIRED)
+    message(FATAL_ERROR "there is no${missing} (Debian: ${packages})")
+  elseif(missing)
+    message(NOTICE "skipped: there is no${missing} (Debian: ${packages})")
+    set(skipped ON PARENT_SCOPE)
+  endif()
+endfunction()
