@@ -162,7 +162,7 @@ class AllSolutions {
   Scalar range() const { return options_.upper - options_.lower; }
   bool is_circle() const { return is_turning(kGiven) && range() > kTurn<Scalar> - kSame; }
 
-  // The given joint. Where samples are no circle, the first and the last are repeated.
+  // The position of the given joint in a sample. If samples do not form a circle, the first and the last are repeated.
   Scalar given(int i) const {
     const int last = options_.samples - 1;
     const Scalar spacing = range() / static_cast<Scalar>(is_circle() ? last + 1 : last);
