@@ -39,7 +39,7 @@ void add_coordinates(kinematics::Document& part, Dice& dice) {
     const auto words = kinematics::coordinate_words(joint.type);
     const auto word = words[static_cast<std::size_t>(dice.below(static_cast<int>(words.size())))];
     joint.coordinates = {
-        kinematics::Coordinate{{joint.drive, joint.rotor, joint.limits, joint.assembled}, {std::string(word), {}}}};
+        kinematics::Coordinate{static_cast<const kinematics::DriveAndLimits&>(joint), {std::string(word), {}}}};
     joint.drive = {};
     joint.rotor.reset();
     joint.limits = {};
