@@ -118,10 +118,16 @@ double worst(const std::vector<ArrayError>& errors) {
   return result;
 }
 
-// Compares array by array: the error of one array does not excuse the same error in another.
-bool is_as_accurate(const std::vector<ArrayError>& errors, const std::vector<ArrayError>& plain) {
+// Compares array by array: the error of one array does not excuse the same error in another. A state magnifies roundings
+// of double and of float alike, so the mean squares of the plain program in either precision are two samples of one
+// number. Where a single state dominates them, one may be small by chance: the larger one counts.
+bool is_as_accurate(
+    const std::vector<ArrayError>& errors,
+    const std::vector<ArrayError>& plain,
+    const std::vector<ArrayError>& plain_in_other_precision) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!(errors[i].mean_square <= std::max(kShare * plain[i].mean_square, kFloor))) return false;
+    const double mean_square = std::max(plain[i].mean_square, plain_in_other_precision[i].mean_square);
+    if (!(errors[i].mean_square <= std::max(kShare * mean_square, kFloor))) return false;
     if (!(errors[i].typical <= std::max(kShare * plain[i].typical, kTypicalFloor))) return false;
   }
   return true;
@@ -213,8 +219,8 @@ Accuracy AccurateResults::accuracy_of(const Program& program) const {
   const Errors& plain = results_->of_plain;
   return {
       {worst(own.in_double), worst(own.in_float)},
-      own.of_pivots <= kLostOfPivot && is_as_accurate(own.in_double, plain.in_double) &&
-          is_as_accurate(own.in_float, plain.in_float)};
+      own.of_pivots <= kLostOfPivot && is_as_accurate(own.in_double, plain.in_double, plain.in_float) &&
+          is_as_accurate(own.in_float, plain.in_float, plain.in_double)};
 }
 
 std::string print_error(double error) {

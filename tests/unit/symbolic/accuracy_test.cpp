@@ -85,16 +85,38 @@ TEST(Accuracy, LossesOfOneArrayDoNotExcuseThoseOfAnother) {
   EXPECT_FALSE(results.are_kept_by(program(two_detours("1048576.0", "4096.0"))));
 }
 
+// y = b, with a number added and subtracted that is large in a few states.
+const std::string kRare =
+    "program rare\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * x[0]\ntmp t1 = t0 * t0\n"
+    "tmp t2 = t1 * t1\ntmp t3 = 1024.0 * t2\ntmp t4 = x[1] + t3\ntmp t5 = t4 - t3\nreturn y t5\n";
+
+// The same with a number that is large in fewer states: float loses digits in them, double in none.
+const std::string kRarer =
+    "program rarer\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * x[0]\ntmp t1 = t0 * t0\n"
+    "tmp t2 = t1 * t1\ntmp t3 = t2 * t2\ntmp t4 = 0.1 * t3\ntmp t5 = x[1] + t4\ntmp t6 = t5 - t4\nreturn y t6\n";
+
 // In float, the plain program loses many digits in a few states; the other one loses fewer digits, but in all states.
 TEST(Accuracy, FewStatesDoNotExcuseLossesInAll) {
-  const AccurateResults results(program(
-      "program rare\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * x[0]\ntmp t1 = t0 * t0\n"
-      "tmp t2 = t1 * t1\ntmp t3 = 1024.0 * t2\ntmp t4 = x[1] + t3\ntmp t5 = t4 - t3\nreturn y t5\n"));
+  const AccurateResults results(program(kRare));
   const Program everywhere = program(
       "program everywhere\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[1] + 16384.0\n"
       "tmp t1 = t0 - 16384.0\nreturn y t1\n");
   EXPECT_LT(results.error_of(everywhere).in_float, results.error_of_plain().in_float);
   EXPECT_FALSE(results.are_kept_by(everywhere));
+}
+
+// y = b, with 1e12 times a added and subtracted. In float the product with 1e-50 is zero, and nothing is lost.
+TEST(Accuracy, LuckInOnePrecisionDoesNotCount) {
+  const AccurateResults unlucky(program(
+      "program unlucky\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\ntmp t0 = x[0] * 1e-50\n"
+      "tmp t1 = t0 * 1e31\ntmp t2 = t1 * 1e31\ntmp t3 = x[1] + t2\ntmp t4 = t3 - t2\nreturn y t4\n"));
+  EXPECT_GT(unlucky.error_of_plain().in_double, 1e5);
+  EXPECT_LT(unlucky.error_of_plain().in_float, 1.0);
+  EXPECT_GT(unlucky.error_of(program(kRarer)).in_float, 100.0);
+  EXPECT_TRUE(unlucky.are_kept_by(program(kRarer)));
+  const AccurateResults exact(
+      program("program exact\ninput x value a b\noutput y value 1 1\nsection s s\nin 0\nreturn y x[1]\n"));
+  EXPECT_FALSE(exact.are_kept_by(program(kRarer)));
 }
 
 // The reciprocal of the pivot 3 + x, with a number added and subtracted, and 1e12 times the root of another pivot: the
