@@ -20,14 +20,15 @@ struct Case {
   std::array<double, 3> position{}, angles{};
 };
 
-// Turns about a third of the revolute joints into joints with several coordinates, or spherical ones; some coordinates
+// Turns two in five of the revolute joints into joints with several coordinates, or spherical ones; some coordinates
 // follow one another.
 void add_coordinates(kinematics::Document& part, Dice& dice) {
   using enum kinematics::Joint::Type;
   for (kinematics::Joint& joint : part.joints) {
     const std::string text = kinematics::print(part);
-    const std::string couplings = text.substr(std::min(text.size(), text.find("couplings {")));
-    if (joint.type != revolute || couplings.find(joint.name.text) != std::string::npos || dice.chance(0.66)) continue;
+    // Couplings and tendons name joints with one coordinate.
+    const std::string readers = text.substr(std::min({text.size(), text.find("couplings {"), text.find("tendons {")}));
+    if (joint.type != revolute || readers.find(joint.name.text) != std::string::npos || dice.chance(0.6)) continue;
     constexpr std::array kTypes = {cylindrical, universal, planar, spherical, spherical};
     joint.type = kTypes[static_cast<std::size_t>(dice.below(5))];
     if (joint.type == spherical) {
