@@ -21,7 +21,7 @@ source_packages=(fmtlib urdfdom urdfdom-headers tinyxml console-bridge cli11 nlo
 test_packages=(ccache clang-format-14 libgtest-dev librapidcheck-dev liborocos-kdl-dev libmujoco-dev octave maxima nodejs
   chromium python3-dev python3-numpy groff-base ocl-icd-opencl-dev pocl-opencl-icd)
 more_test_packages=(make clang-14 libbenchmark-dev libnlopt-dev libdart-dev libdart-utils-urdf-dev valgrind musl-tools
-  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user
+  gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm g++-aarch64-linux-gnu qemu-user
   python3-matplotlib mypy doxygen neovim emacs-nox elpa-eglot dpkg-dev colcon python3-colcon-cmake python3-colcon-ros python3-venv
   g++-mingw-w64-x86-64-posix wine wine64 g++-11 clang-16 clang-19 libc++-16-dev libc++abi-16-dev)
 
