@@ -260,9 +260,9 @@ void expect_derivatives_are_differences(const KinematicTree& robot) {
   for (const auto& [input, block] : {std::pair("q", "d_q"), std::pair("qd", "d_qd")})
     for (std::size_t column = 0; column < 3; ++column) {
       constexpr double kStep = 1e-4;
-      const auto moved = [&](double steps) {
+      const auto moved = [&, name = input](double steps) {
         symbolic::Arrays<double> there = at;
-        there[input][column] += steps * kStep;
+        there[name][column] += steps * kStep;
         return symbolic::interpret(dynamics, there).at("qdd");
       };
       const std::vector<double> a = moved(2), b = moved(1), c = moved(-1), d = moved(-2);

@@ -284,7 +284,8 @@ std::vector<Chain> calibrated_chains() {
   const std::vector<Chain> known = chains(1);
   std::vector<Chain> list;
   // A wrist, parallel axes, the swivel, a given joint, a leg to a point, an axis.
-  for (const std::size_t k : {0, 2, 7, 9, 10, 13}) list.push_back(calibrated(known[k], 1e-4, k + 1));
+  for (const std::size_t k : std::initializer_list<std::size_t>{0, 2, 7, 9, 10, 13})
+    list.push_back(calibrated(known[k], 1e-4, k + 1));
   Chain offset = known[7];
   offset.name += ", the elbow has an offset";
   offset.joints[3].x = 0.08;
