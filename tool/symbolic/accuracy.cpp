@@ -26,13 +26,13 @@ constexpr double kShare = 2.5;
 constexpr double kFloor = 8.0;
 constexpr double kTypicalFloor = 4.0;
 
-// An error of this many roundings leaves float four bits.
-constexpr double kNoDigits = 0x1p20;
-
 // A pivot (a divisor, or the argument of a square root) may lose this share of its value in float. The output arrays do
 // not show such a loss: their largest elements come from other pivots. A pivot that loses all of its value may change
 // its sign, and then a few roundings more or less than in the plain program decide whether a result is NaN.
 constexpr double kLostOfPivot = 1.0 / 16;
+
+// The same share in roundings of float.
+constexpr double kLostRoundings = 0x1p24 * kLostOfPivot;
 
 // In a state in which results cancel, errors are measured relative to this share of the usual size of the results.
 constexpr double kLeastScale = 0.25;
@@ -121,17 +121,17 @@ double worst(const std::vector<ArrayError>& errors) {
   return result;
 }
 
-// Compares array by array: the error of one array does not excuse the same error in another. A state magnifies roundings
-// of double and of float alike, so the mean squares of the plain program in either precision are two samples of one
-// number. Where a single state dominates them, one may be small by chance: the larger one counts, unless it would leave
-// float no digits, which can have other causes.
+// Compares array by array: the error of one array does not excuse the same error in another. Counted in roundings, a
+// program has about the same error in double and in float. So the plain program's mean squares in the two precisions
+// are two measurements of one number, and the larger one counts: where a single state dominates them, the other may be
+// small by chance. An error that costs float nearly all its bits is no such measurement: it may have other causes.
 bool is_as_accurate(
     const std::vector<ArrayError>& errors,
     const std::vector<ArrayError>& plain,
     const std::vector<ArrayError>& plain_in_other_precision) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double other = plain_in_other_precision[i].mean_square;
-    const double mean_square = std::max(plain[i].mean_square, other < kNoDigits ? other : 0.0);
+    const double mean_square = std::max(plain[i].mean_square, other < kLostRoundings ? other : 0.0);
     if (!(errors[i].mean_square <= std::max(kShare * mean_square, kFloor))) return false;
     if (!(errors[i].typical <= std::max(kShare * plain[i].typical, kTypicalFloor))) return false;
   }
